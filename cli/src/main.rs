@@ -1,0 +1,2 @@
+//! The shadegate program.
+fn main() {}
