@@ -1,4 +1,19 @@
 //! Scenes, geometry and exact shading: what a perfect renderer would draw, and what each shading method draws instead.
 //! Knows no hardware.
 
+pub mod depth;
+pub mod geometry;
+pub mod mesh;
+pub mod method;
 pub mod raster;
+pub mod render;
+pub mod scene;
+pub mod shade;
+pub mod skips;
+
+pub use geometry::{Prepared, ScreenTriangle, TriangleCounts};
+pub use method::Method;
+pub use render::{render, Frame, RenderOptions, RenderStats};
+pub use scene::{Scene, SceneError};
+pub use shade::{to_byte, KNOT_MAX};
+pub use skips::Skips;

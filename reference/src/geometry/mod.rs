@@ -1,0 +1,77 @@
+//! From a scene to triangles on the screen: transform, cull, clip, project, snap, and fit the depth range.
+
+pub mod camera;
+pub mod clip;
+pub mod cull;
+mod prepare;
+
+use crate::raster::Point;
+use crate::shade::Surroundings;
+use glam::DVec3;
+use std::collections::BTreeMap;
+
+/// A triangle ready to be drawn. Seen from its front, its vertices turn counter-clockwise on the screen (so
+/// [`crate::raster::area2`] is negative).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScreenTriangle {
+    /// Snapped positions, 1/256 pixel.
+    pub position: [Point; 3],
+    /// 1/w at the vertices, > 0: the weights of perspective-correct interpolation. All 1 without perspective.
+    pub inv_w: [f64; 3],
+    /// Reversed depth, 0..=1, fitted to the drawn triangles: 1 = nearest, 0 = farthest of this frame. Affine on the
+    /// screen. Only triangles that are drawn because a skip is switched off may lie outside the range.
+    pub depth: [f64; 3],
+    /// World positions.
+    pub world: [DVec3; 3],
+    /// World normals: unit at vertices of the mesh, a plain linear blend at vertices made by clipping.
+    pub normal: [DVec3; 3],
+    /// Index of the material.
+    pub material: usize,
+    /// Index of the object.
+    pub object: usize,
+    /// Index of the triangle in the object's mesh.
+    pub face: usize,
+}
+
+impl ScreenTriangle {
+    /// The unit normal of the flat face, towards its front; zero when the face has no area.
+    #[must_use]
+    pub fn face_normal(&self) -> DVec3 {
+        let [a, b, c] = self.world;
+        (b - a).cross(c - a).normalize_or_zero()
+    }
+}
+
+/// What became of the triangles of the scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct TriangleCounts {
+    /// In the scene.
+    pub in_: u64,
+    /// Of these, not drawn at all.
+    pub culled: u64,
+    /// Of these, cut by a plane.
+    pub clipped: u64,
+    /// In the list: clipping may make several of one.
+    pub drawn: u64,
+}
+
+/// A scene prepared for one frame size.
+#[derive(Clone, Debug)]
+pub struct Prepared {
+    /// Name of the scene.
+    pub scene_name: String,
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// Colour of pixels that nothing covers.
+    pub background: [u8; 3],
+    /// What is drawn, in order: front faces of all objects, then back faces if they are not skipped.
+    pub triangles: Vec<ScreenTriangle>,
+    /// What became of the triangles of the scene.
+    pub counts: TriangleCounts,
+    /// Triangles skipped, by reason.
+    pub skipped: BTreeMap<&'static str, u64>,
+    /// Lights, materials and viewer.
+    pub(crate) surroundings: Surroundings,
+}

@@ -1,0 +1,202 @@
+//! Triangle meshes: read from files or generated. Vertices turn counter-clockwise seen from outside.
+
+pub mod gltf;
+pub mod obj;
+pub mod solids;
+pub mod sphere;
+pub mod teapot;
+mod teapot_data;
+pub mod torus;
+
+use glam::DVec3;
+
+/// Most triangles that one mesh may have.
+pub const TRIANGLE_LIMIT: usize = 10_000_000;
+
+/// An indexed triangle mesh in its own coordinates.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Vertex positions.
+    pub positions: Vec<DVec3>,
+    /// One normal per vertex, any length; the zero vector stands for "the normal of the face".
+    pub normals: Vec<DVec3>,
+    /// Three vertex indices per triangle, counter-clockwise from outside.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// Why a mesh cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{}{what}; {accepted}", line.map(|l| format!("{l}: ")).unwrap_or_default())]
+pub struct MeshError {
+    /// Line of the mesh file, for text formats.
+    pub line: Option<usize>,
+    /// What is wrong.
+    pub what: String,
+    /// What would be accepted.
+    pub accepted: String,
+}
+
+impl MeshError {
+    pub(crate) fn new(what: impl Into<String>, accepted: impl Into<String>) -> Self {
+        Self {
+            line: None,
+            what: what.into(),
+            accepted: accepted.into(),
+        }
+    }
+
+    pub(crate) fn at(mut self, line: usize) -> Self {
+        self.line = Some(line);
+        self
+    }
+}
+
+impl Mesh {
+    /// Checks that there is something to draw, that every index exists and that every number is finite.
+    ///
+    /// # Errors
+    /// The first thing that is wrong.
+    pub fn check(&self) -> Result<(), MeshError> {
+        if self.triangles.is_empty() {
+            return Err(MeshError::new(
+                "the mesh has no triangles",
+                "expected at least one",
+            ));
+        }
+        if self.triangles.len() > TRIANGLE_LIMIT {
+            return Err(MeshError::new(
+                format!("the mesh has {} triangles", self.triangles.len()),
+                format!("expected at most {TRIANGLE_LIMIT}"),
+            ));
+        }
+        let count = self.positions.len().min(self.normals.len());
+        for (t, corner) in self.triangles.iter().enumerate() {
+            if let Some(bad) = corner.iter().find(|i| **i as usize >= count) {
+                return Err(MeshError::new(
+                    format!("triangle {t} names vertex {bad} of {count}"),
+                    format!("expected indices 0 to {}", count.saturating_sub(1)),
+                ));
+            }
+        }
+        for (i, (p, n)) in self.positions.iter().zip(&self.normals).enumerate() {
+            if !p.is_finite() || !n.is_finite() {
+                return Err(MeshError::new(
+                    format!("vertex {i} is not finite"),
+                    "expected finite positions and normals",
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// Replaces the normals by the sum of the neighbouring faces' normals, weighted by area; vertices at one index
+    /// share one normal.
+    pub fn smooth(&mut self) {
+        let mut sum = vec![DVec3::ZERO; self.positions.len()];
+        for t in &self.triangles {
+            let [a, b, c] = t.map(|i| self.positions[i as usize]);
+            // Twice the area times the unit normal.
+            let n = (b - a).cross(c - a);
+            for i in t {
+                sum[*i as usize] += n;
+            }
+        }
+        self.normals = sum.into_iter().map(DVec3::normalize_or_zero).collect();
+    }
+}
+
+/// Closed and outward: every directed edge has exactly one partner the other way (vertices compared by position), and
+/// the signed volume is positive.
+#[cfg(test)]
+pub(crate) fn assert_closed(mesh: &Mesh) {
+    use std::collections::HashMap;
+    let key = |i: u32| {
+        mesh.positions[i as usize]
+            .to_array()
+            .map(|v| (v + 0.0).to_bits())
+    };
+    let mut edges: HashMap<_, i32> = HashMap::new();
+    let mut volume = 0.0;
+    for t in &mesh.triangles {
+        for k in 0..3 {
+            let (a, b) = (key(t[k]), key(t[(k + 1) % 3]));
+            assert_ne!(a, b, "an edge without length");
+            *edges.entry((a, b)).or_default() += 1;
+            *edges.entry((b, a)).or_default() -= 1;
+        }
+        let [a, b, c] = t.map(|i| mesh.positions[i as usize]);
+        volume += a.dot(b.cross(c));
+    }
+    assert!(edges.values().all(|n| *n == 0), "open edges");
+    assert!(volume > 0.0, "inside out: {volume}");
+}
+
+/// Every vertex normal points to the front of every face it is used in.
+#[cfg(test)]
+pub(crate) fn assert_outward(mesh: &Mesh, least_cosine: f64) {
+    for t in &mesh.triangles {
+        let [a, b, c] = t.map(|i| mesh.positions[i as usize]);
+        let n = (b - a).cross(c - a).normalize();
+        for i in t {
+            let cosine = n.dot(mesh.normals[*i as usize].normalize());
+            assert!(cosine > least_cosine, "{cosine} at {a} {b} {c}");
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_wrong_is_said() {
+        let mut m = Mesh::default();
+        assert_eq!(
+            m.check().unwrap_err().to_string(),
+            "the mesh has no triangles; expected at least one"
+        );
+        m.positions = vec![DVec3::X, DVec3::Y, DVec3::Z];
+        m.normals = vec![DVec3::ZERO; 3];
+        m.triangles = vec![[0, 1, 3]];
+        assert_eq!(
+            m.check().unwrap_err().to_string(),
+            "triangle 0 names vertex 3 of 3; expected indices 0 to 2"
+        );
+        m.triangles = vec![[0, 1, 2]];
+        assert_eq!(m.check(), Ok(()));
+        m.positions[1].x = f64::NAN;
+        assert_eq!(
+            m.check().unwrap_err().to_string(),
+            "vertex 1 is not finite; expected finite positions and normals"
+        );
+    }
+
+    #[test]
+    fn smooth_normals_are_weighted_by_area() {
+        let mut m = solids::cube(1);
+        // Weld the corners so that faces share them.
+        let corners: Vec<DVec3> = m.positions.clone();
+        let mut unique: Vec<DVec3> = Vec::new();
+        let index: Vec<u32> = corners
+            .iter()
+            .map(|p| match unique.iter().position(|q| q == p) {
+                Some(i) => i as u32,
+                None => {
+                    unique.push(*p);
+                    unique.len() as u32 - 1
+                }
+            })
+            .collect();
+        m.triangles = m
+            .triangles
+            .iter()
+            .map(|t| t.map(|i| index[i as usize]))
+            .collect();
+        m.positions = unique;
+        m.smooth();
+        assert_eq!(m.normals.len(), 8);
+        for (p, n) in m.positions.iter().zip(&m.normals) {
+            assert!(n.dot(p.normalize()) > 0.8, "{p} {n}");
+        }
+    }
+}

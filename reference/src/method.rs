@@ -1,0 +1,108 @@
+//! The catalogue of shading methods that this crate draws, by the names users type.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// How the colour of a pixel is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// Perspective-correct position and normal, normalised, and the full reflection model, for every pixel.
+    Exact,
+    /// One colour per triangle.
+    Flat,
+    /// Linear interpolation of three vertex colours (Gouraud 1971).
+    Gouraud,
+    /// Quadratic interpolation of six colours: vertices and mid-edges (Abbas 2003 ch. 7; Hast 2004 §3.3).
+    Quadratic,
+}
+
+impl Method {
+    /// Every method, in the order of the catalogue.
+    pub const ALL: [Self; 4] = [Self::Exact, Self::Flat, Self::Gouraud, Self::Quadratic];
+
+    /// The catalogue name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Exact => "exact",
+            Self::Flat => "flat",
+            Self::Gouraud => "gouraud",
+            Self::Quadratic => "quadratic",
+        }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// A name that is not in the catalogue.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("unknown {what} '{given}'; the nearest is '{nearest}' of {all}")]
+pub struct UnknownName {
+    /// What kind of name was expected.
+    pub what: &'static str,
+    /// What was typed.
+    pub given: String,
+    /// The known name with the least editing distance.
+    pub nearest: String,
+    /// Every known name.
+    pub all: String,
+}
+
+impl UnknownName {
+    /// Finds the nearest of `known`.
+    #[must_use]
+    pub fn new(what: &'static str, given: &str, known: &[&str]) -> Self {
+        Self {
+            what,
+            given: given.to_owned(),
+            nearest: nearest(given, known).unwrap_or_default().to_owned(),
+            all: known.join(", "),
+        }
+    }
+}
+
+/// The known name with the least editing distance (Damerau–Levenshtein, case ignored); the first of equals.
+#[must_use]
+pub fn nearest<'a>(given: &str, known: &[&'a str]) -> Option<&'a str> {
+    let given = given.to_lowercase();
+    known
+        .iter()
+        .copied()
+        .min_by_key(|k| strsim::damerau_levenshtein(&given, k))
+}
+
+impl FromStr for Method {
+    type Err = UnknownName;
+
+    fn from_str(s: &str) -> Result<Self, UnknownName> {
+        Self::ALL
+            .into_iter()
+            .find(|m| m.name() == s)
+            .ok_or_else(|| UnknownName::new("method", s, &Self::ALL.map(Self::name)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_go_there_and_back() {
+        for m in Method::ALL {
+            assert_eq!(m.to_string().parse(), Ok(m));
+        }
+    }
+
+    #[test]
+    fn an_unknown_name_is_answered_with_the_nearest() {
+        let e = "quadratik".parse::<Method>().unwrap_err();
+        assert_eq!(
+            e.to_string(),
+            "unknown method 'quadratik'; the nearest is 'quadratic' of exact, flat, gouraud, quadratic"
+        );
+    }
+}

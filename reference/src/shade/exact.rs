@@ -1,0 +1,19 @@
+//! The truth: at every pixel centre, position and normal by perspective-correct interpolation
+//! qᵢ = λᵢwᵢ / Σλw (w = 1/w; Heckbert 1989), the normal normalised, and the full reflection model with a true power.
+
+use super::barycentric::weights;
+use super::unit_normal;
+use crate::geometry::{Prepared, ScreenTriangle};
+
+/// RGB at the centre of pixel (`x`, `y`), LSB, not limited. Meant for pixels inside the triangle.
+#[must_use]
+pub fn value(p: &Prepared, t: &ScreenTriangle, x: i32, y: i32) -> [f64; 3] {
+    let w = weights(&t.position, x, y);
+    let q = [0, 1, 2].map(|i| w[i] * t.inv_w[i]);
+    let sum = q[0] + q[1] + q[2];
+    let q = q.map(|v| v / sum);
+    let blend = |v: [glam::DVec3; 3]| v[0] * q[0] + v[1] * q[1] + v[2] * q[2];
+    p.surroundings
+        .shade(t.material, blend(t.world), unit_normal(t, blend(t.normal)))
+        .to_array()
+}

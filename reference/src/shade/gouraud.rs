@@ -1,0 +1,26 @@
+//! Linear interpolation of vertex colours on the screen (Gouraud 1971): I = Σ λᵢ·Iᵢ.
+
+use super::barycentric::weights;
+use super::unit_normal;
+use crate::geometry::{Prepared, ScreenTriangle};
+use crate::raster::Point;
+
+/// RGB at the three vertices, LSB, 0..=[`super::KNOT_MAX`].
+#[must_use]
+pub fn knots(p: &Prepared, t: &ScreenTriangle) -> [[f64; 3]; 3] {
+    [0, 1, 2].map(|i| vertex(p, t, i))
+}
+
+pub(super) fn vertex(p: &Prepared, t: &ScreenTriangle, i: usize) -> [f64; 3] {
+    super::knot(
+        p.surroundings
+            .shade(t.material, t.world[i], unit_normal(t, t.normal[i])),
+    )
+}
+
+/// RGB at the centre of pixel (`x`, `y`), LSB, not limited.
+#[must_use]
+pub fn value(position: &[Point; 3], knots: &[[f64; 3]; 3], x: i32, y: i32) -> [f64; 3] {
+    let w = weights(position, x, y);
+    [0, 1, 2].map(|c| (0..3).map(|i| w[i] * knots[i][c]).sum())
+}

@@ -1,0 +1,105 @@
+//! Work that need not be done. Every skip leaves the frame as it is, is counted, and can be switched off to prove both.
+//!
+//! One condition goes with `back-face`: it preserves the frame of *closed* objects only, because only there does a
+//! nearer front face hide every back face.
+
+use crate::method::UnknownName;
+
+/// A triangle turned away from the camera.
+pub const BACK_FACE: &str = "back-face";
+/// An object whose bounding box lies outside the frustum.
+pub const FRUSTUM: &str = "frustum";
+/// A triangle beside the viewport.
+pub const OUTSIDE: &str = "outside";
+/// A triangle that covers no pixel centre of the viewport.
+pub const UNCOVERED: &str = "uncovered";
+/// A pixel behind what is already drawn: not shaded.
+pub const HIDDEN: &str = "hidden";
+/// A triangle without area, in the mesh or after snapping. Always skipped: there is nothing to draw.
+pub const DEGENERATE: &str = "degenerate";
+
+const NAMES: [&str; 5] = [BACK_FACE, FRUSTUM, OUTSIDE, UNCOVERED, HIDDEN];
+
+/// Which skips are switched on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Skips {
+    on: [bool; NAMES.len()],
+}
+
+impl Default for Skips {
+    fn default() -> Self {
+        Self::all()
+    }
+}
+
+impl Skips {
+    /// The names that can be switched off.
+    pub const NAMES: &'static [&'static str] = &NAMES;
+
+    /// Everything that can be skipped is skipped.
+    #[must_use]
+    pub fn all() -> Self {
+        Self {
+            on: [true; NAMES.len()],
+        }
+    }
+
+    /// Nothing is skipped.
+    #[must_use]
+    pub fn none() -> Self {
+        Self {
+            on: [false; NAMES.len()],
+        }
+    }
+
+    /// Everything but a comma-separated list of names; `all` stands for every name, an empty list for none.
+    ///
+    /// # Errors
+    /// An unknown name, with the nearest known one.
+    pub fn without(list: &str) -> Result<Self, UnknownName> {
+        let mut skips = Self::all();
+        for name in list.split(',').map(str::trim).filter(|n| !n.is_empty()) {
+            if name == "all" {
+                skips = Self::none();
+                continue;
+            }
+            let i = NAMES
+                .iter()
+                .position(|n| *n == name)
+                .ok_or_else(|| UnknownName::new("skip", name, &NAMES))?;
+            skips.on[i] = false;
+        }
+        Ok(skips)
+    }
+
+    /// Whether the skip of this name is on; false for names that cannot be switched.
+    #[must_use]
+    pub fn is_on(&self, name: &str) -> bool {
+        NAMES
+            .iter()
+            .position(|n| *n == name)
+            .is_some_and(|i| self.on[i])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_list_switches_off_what_it_names() {
+        let s = Skips::without("back-face, hidden").unwrap();
+        assert!(!s.is_on(BACK_FACE) && !s.is_on(HIDDEN));
+        assert!(s.is_on(FRUSTUM) && s.is_on(OUTSIDE) && s.is_on(UNCOVERED));
+        assert_eq!(Skips::without("").unwrap(), Skips::all());
+        assert_eq!(Skips::without("all").unwrap(), Skips::none());
+    }
+
+    #[test]
+    fn an_unknown_skip_is_answered_with_the_nearest() {
+        assert_eq!(
+            Skips::without("back-face,frustrum").unwrap_err().to_string(),
+            "unknown skip 'frustrum'; the nearest is 'frustum' of back-face, frustum, outside, uncovered, hidden"
+        );
+    }
+}
