@@ -1,0 +1,577 @@
+//! The raster shell: register words in, fragments and interpolant controls out.
+//!
+//! A triangle is walked from its *major* edge (the one that spans all rows) towards its minor edges. `mirrored`
+//! triangles have the major edge on the right: all columns are complemented (x' = !x = −1 − x), and only the screen
+//! column is complemented back, so one walk serves both orientations.
+//!
+//! ```text
+//!  register words --load--> line registers --take--> pixel registers --> fragment (x, y, address)
+//!  (next triangle)          (next span)              (current span)
+//! ```
+//!
+//! The line registers always hold the *next* span, so spans follow each other without a bubble, and so do triangles
+//! when their words are complete in time. A row without a pixel costs at most one clock.
+//!
+//! Register map (word number, bits high to low):
+//!
+//! | word | content |
+//! |---|---|
+//! | 0 | mirrored\[22\], upper_rows\[21:11\], rows\[10:0\] |
+//! | 1 | address of (column 0, first row)\[31:11\], first row\[10:0\] |
+//! | 2, 3, 4 | major edge: column\[31:20\] error\[19:0\]; whole\[31:20\] up\[19:0\]; down\[19:0\] |
+//! | 5, 6, 7 | upper minor edge, likewise |
+//! | 8, 9, 10 | lower minor edge, likewise; used after upper_rows rows |
+//! | 11 | frame width\[11:0\], not double-buffered: write it while the core is idle |
+//!
+//! A triangle without an upper part puts its lower edge in words 5 to 7. Pixels outside columns 0..width are walked
+//! but not emitted, and a span ends at the frame's border.
+
+use super::edge_walk::EdgeWalk;
+use crate::format::{signed_cast_bits, unsigned_cast_integer, Q, U};
+use rust_hdl_core::prelude::*;
+use rust_hdl_widgets::prelude::*;
+
+pub use super::model::{ShellInputs, ShellModel, ShellOutputs};
+
+/// Double-buffered register words; word [`FRAME_WIDTH`] follows them.
+pub const WORDS: usize = 11;
+/// Register word of the frame width.
+pub const FRAME_WIDTH: usize = 11;
+
+/// `A` is the width of a frame address.
+#[derive(LogicBlock)]
+pub struct Shell<const A: usize> {
+    /// Clock.
+    pub clock: Signal<In, Clock>,
+    /// Writes `data` to register word `word`; ignored while `load_ready` is low.
+    pub write: Signal<In, Bit>,
+    /// Register word.
+    pub word: Signal<In, U<4>>,
+    /// Register bus.
+    pub data: Signal<In, U<32>>,
+    /// The register words are complete; ignored while `load_ready` is low.
+    pub start: Signal<In, Bit>,
+    /// Keeps a new triangle from being loaded (the depth memory is being cleared).
+    pub hold: Signal<In, Bit>,
+    /// The stages behind the pixel registers move.
+    pub go: Signal<In, Bit>,
+    /// The register words may be written.
+    pub load_ready: Signal<Out, Bit>,
+    /// A new triangle moves to the line registers.
+    pub load: Signal<Out, Bit>,
+    /// The line registers move to the next row.
+    pub step: Signal<Out, Bit>,
+    /// That step carries.
+    pub carry: Signal<Out, Bit>,
+    /// A new span moves to the pixel registers.
+    pub take: Signal<Out, Bit>,
+    /// The pixel registers move on.
+    pub run: Signal<Out, Bit>,
+    /// The pixel registers stand on a pixel of the frame.
+    pub fragment: Signal<Out, Bit>,
+    /// Its column.
+    pub x: Signal<Out, U<11>>,
+    /// Its row.
+    pub y: Signal<Out, U<11>>,
+    /// Its frame address, row · width + column.
+    pub address: Signal<Out, U<A>>,
+    /// A triangle is waiting or being walked.
+    pub busy: Signal<Out, Bit>,
+    pending: DFF<Bit>,
+    frame_width: DFF<Q<11, 0>>,
+    word_rows: DFF<U<11>>,
+    word_upper_rows: DFF<U<11>>,
+    word_mirrored: DFF<Bit>,
+    word_row: DFF<U<11>>,
+    word_base: DFF<U<A>>,
+    word_major_column: DFF<Q<11, 0>>,
+    word_major_error: DFF<Q<19, 0>>,
+    word_major_whole: DFF<Q<11, 0>>,
+    word_major_up: DFF<Q<19, 0>>,
+    word_major_down: DFF<Q<19, 0>>,
+    word_upper_column: DFF<Q<11, 0>>,
+    word_upper_error: DFF<Q<19, 0>>,
+    word_upper_whole: DFF<Q<11, 0>>,
+    word_upper_up: DFF<Q<19, 0>>,
+    word_upper_down: DFF<Q<19, 0>>,
+    word_lower_column: DFF<Q<11, 0>>,
+    word_lower_error: DFF<Q<19, 0>>,
+    word_lower_whole: DFF<Q<11, 0>>,
+    word_lower_up: DFF<Q<19, 0>>,
+    word_lower_down: DFF<Q<19, 0>>,
+    lower_column: DFF<Q<11, 0>>,
+    lower_error: DFF<Q<19, 0>>,
+    lower_whole: DFF<Q<11, 0>>,
+    lower_up: DFF<Q<19, 0>>,
+    lower_down: DFF<Q<19, 0>>,
+    line_active: DFF<Bit>,
+    rows_left: DFF<U<11>>,
+    upper_left: DFF<U<11>>,
+    line_row: DFF<U<11>>,
+    line_base: DFF<U<A>>,
+    line_mirrored: DFF<Bit>,
+    running: DFF<Bit>,
+    column: DFF<Q<11, 0>>,
+    end: DFF<Q<11, 0>>,
+    pixel_row: DFF<U<11>>,
+    pixel_base: DFF<U<A>>,
+    pixel_mirrored: DFF<Bit>,
+    accept: Signal<Local, Bit>,
+    high_bits: Signal<Local, U<12>>,
+    low_bits: Signal<Local, U<20>>,
+    high: Signal<Local, Q<11, 0>>,
+    low: Signal<Local, Q<19, 0>>,
+    width_word: Signal<Local, Q<11, 0>>,
+    width_bits: Signal<Local, U<12>>,
+    negative_width: Signal<Local, Q<11, 0>>,
+    line_near: Signal<Local, Q<11, 0>>,
+    line_far: Signal<Local, Q<11, 0>>,
+    pixel_near: Signal<Local, Q<11, 0>>,
+    pixel_far: Signal<Local, Q<11, 0>>,
+    has_pixels: Signal<Local, Bit>,
+    next_column: Signal<Local, Q<11, 0>>,
+    span_done: Signal<Local, Bit>,
+    pixel_free: Signal<Local, Bit>,
+    taking: Signal<Local, Bit>,
+    advance: Signal<Local, Bit>,
+    last_row: Signal<Local, Bit>,
+    loading: Signal<Local, Bit>,
+    stepping: Signal<Local, Bit>,
+    switching: Signal<Local, Bit>,
+    minor_load: Signal<Local, Bit>,
+    minor_column: Signal<Local, Q<11, 0>>,
+    minor_error: Signal<Local, Q<19, 0>>,
+    minor_whole: Signal<Local, Q<11, 0>>,
+    minor_up: Signal<Local, Q<19, 0>>,
+    minor_down: Signal<Local, Q<19, 0>>,
+    running_now: Signal<Local, Bit>,
+    screen_column: Signal<Local, Q<11, 0>>,
+    screen_address: Signal<Local, U<A>>,
+    width_address: Signal<Local, U<A>>,
+    major: EdgeWalk,
+    minor: EdgeWalk,
+    zero: Constant<Q<11, 0>>,
+    one: Constant<Q<11, 0>>,
+    one_row: Constant<U<11>>,
+}
+
+impl<const A: usize> Default for Shell<A> {
+    fn default() -> Self {
+        Self {
+            clock: Default::default(),
+            write: Default::default(),
+            word: Default::default(),
+            data: Default::default(),
+            start: Default::default(),
+            hold: Default::default(),
+            go: Default::default(),
+            load_ready: Default::default(),
+            load: Default::default(),
+            step: Default::default(),
+            carry: Default::default(),
+            take: Default::default(),
+            run: Default::default(),
+            fragment: Default::default(),
+            x: Default::default(),
+            y: Default::default(),
+            address: Default::default(),
+            busy: Default::default(),
+            pending: Default::default(),
+            frame_width: Default::default(),
+            word_rows: Default::default(),
+            word_upper_rows: Default::default(),
+            word_mirrored: Default::default(),
+            word_row: Default::default(),
+            word_base: Default::default(),
+            word_major_column: Default::default(),
+            word_major_error: Default::default(),
+            word_major_whole: Default::default(),
+            word_major_up: Default::default(),
+            word_major_down: Default::default(),
+            word_upper_column: Default::default(),
+            word_upper_error: Default::default(),
+            word_upper_whole: Default::default(),
+            word_upper_up: Default::default(),
+            word_upper_down: Default::default(),
+            word_lower_column: Default::default(),
+            word_lower_error: Default::default(),
+            word_lower_whole: Default::default(),
+            word_lower_up: Default::default(),
+            word_lower_down: Default::default(),
+            lower_column: Default::default(),
+            lower_error: Default::default(),
+            lower_whole: Default::default(),
+            lower_up: Default::default(),
+            lower_down: Default::default(),
+            line_active: Default::default(),
+            rows_left: Default::default(),
+            upper_left: Default::default(),
+            line_row: Default::default(),
+            line_base: Default::default(),
+            line_mirrored: Default::default(),
+            running: Default::default(),
+            column: Default::default(),
+            end: Default::default(),
+            pixel_row: Default::default(),
+            pixel_base: Default::default(),
+            pixel_mirrored: Default::default(),
+            accept: Default::default(),
+            high_bits: Default::default(),
+            low_bits: Default::default(),
+            high: Default::default(),
+            low: Default::default(),
+            width_word: Default::default(),
+            width_bits: Default::default(),
+            negative_width: Default::default(),
+            line_near: Default::default(),
+            line_far: Default::default(),
+            pixel_near: Default::default(),
+            pixel_far: Default::default(),
+            has_pixels: Default::default(),
+            next_column: Default::default(),
+            span_done: Default::default(),
+            pixel_free: Default::default(),
+            taking: Default::default(),
+            advance: Default::default(),
+            last_row: Default::default(),
+            loading: Default::default(),
+            stepping: Default::default(),
+            switching: Default::default(),
+            minor_load: Default::default(),
+            minor_column: Default::default(),
+            minor_error: Default::default(),
+            minor_whole: Default::default(),
+            minor_up: Default::default(),
+            minor_down: Default::default(),
+            running_now: Default::default(),
+            screen_column: Default::default(),
+            screen_address: Default::default(),
+            width_address: Default::default(),
+            major: Default::default(),
+            minor: Default::default(),
+            zero: Constant::new(Q::from_code(0)),
+            one: Constant::new(Q::from_code(1)),
+            one_row: Constant::new(U::new(1)),
+        }
+    }
+}
+
+impl<const A: usize> Logic for Shell<A> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        comment!("name raster_shell");
+        comment!("title Register file, exact edge walk and pixel counter of a triangle core.");
+        comment!("equation span of row r = columns major(r) .. minor(r) - 1; screen column = mirrored ? ~column : column");
+        comment!("source Register file as in Abbas 2003, appendix (select, data, strobe), double-buffered; edge walk exact.");
+        comment!("latency Two clocks from start to the first fragment; then one pixel per clock, without bubbles.");
+        comment!("signal pending: the register words hold a complete triangle");
+        comment!("signal frame_width: columns of the frame");
+        comment!("signal word_rows: next triangle, rows");
+        comment!("signal word_upper_rows: next triangle, rows of the upper minor edge");
+        comment!("signal word_mirrored: next triangle, columns are complemented");
+        comment!("signal word_row: next triangle, first row");
+        comment!("signal word_base: next triangle, address of column 0 of the first row");
+        comment!("signal word_major_column: next triangle, major edge, column at the first row");
+        comment!("signal word_major_error: next triangle, major edge, biased error term at the first row");
+        comment!("signal word_major_whole: next triangle, major edge, whole columns per row");
+        comment!("signal word_major_up: next triangle, major edge, error step without carry");
+        comment!("signal word_major_down: next triangle, major edge, error step with carry");
+        comment!(
+            "signal word_upper_column: next triangle, upper minor edge, column at the first row"
+        );
+        comment!("signal word_upper_error: next triangle, upper minor edge, biased error term at the first row");
+        comment!("signal word_upper_whole: next triangle, upper minor edge, whole columns per row");
+        comment!("signal word_upper_up: next triangle, upper minor edge, error step without carry");
+        comment!("signal word_upper_down: next triangle, upper minor edge, error step with carry");
+        comment!(
+            "signal word_lower_column: next triangle, lower minor edge, column at the first row"
+        );
+        comment!("signal word_lower_error: next triangle, lower minor edge, biased error term at the first row");
+        comment!("signal word_lower_whole: next triangle, lower minor edge, whole columns per row");
+        comment!("signal word_lower_up: next triangle, lower minor edge, error step without carry");
+        comment!("signal word_lower_down: next triangle, lower minor edge, error step with carry");
+        comment!(
+            "signal lower_column: current triangle, lower minor edge, column at the first row"
+        );
+        comment!("signal lower_error: current triangle, lower minor edge, biased error term at the first row");
+        comment!("signal lower_whole: current triangle, lower minor edge, whole columns per row");
+        comment!("signal lower_up: current triangle, lower minor edge, error step without carry");
+        comment!("signal lower_down: current triangle, lower minor edge, error step with carry");
+        comment!("signal line_active: the line registers hold a span");
+        comment!("signal rows_left: rows from this one on");
+        comment!("signal upper_left: rows from this one on that end at the upper minor edge");
+        comment!("signal line_row: row of the next span");
+        comment!("signal line_base: address of column 0 of that row");
+        comment!("signal line_mirrored: columns of the next span are complemented");
+        comment!("signal running: the pixel registers stand on a pixel");
+        comment!("signal column: walk column of the pixel");
+        comment!("signal end: one past the last walk column of the span");
+        comment!("signal pixel_row: row of the pixel");
+        comment!("signal pixel_base: address of column 0 of that row");
+        comment!("signal pixel_mirrored: columns of the span are complemented");
+        comment!("signal accept: the write is accepted");
+        comment!("signal high_bits: upper part of the register bus");
+        comment!("signal low_bits: lower part of the register bus");
+        comment!("signal high: upper part of the register bus as a column");
+        comment!("signal low: lower part of the register bus as an error term");
+        comment!("signal width_word: low part of the register bus as a column");
+        comment!("signal width_bits: low part of the register bus");
+        comment!("signal negative_width: minus the frame width");
+        comment!("signal line_near: first walk column of the frame for the next span");
+        comment!("signal line_far: one past the last walk column of the frame for the next span");
+        comment!("signal pixel_near: first walk column of the frame for this span");
+        comment!("signal pixel_far: one past the last walk column of the frame for this span");
+        comment!("signal has_pixels: the next span meets the frame");
+        comment!("signal next_column: walk column of the next pixel");
+        comment!("signal span_done: this is the last pixel of the span");
+        comment!("signal pixel_free: the pixel registers can take a span");
+        comment!("signal taking: a span moves to the pixel registers");
+        comment!("signal advance: the line registers move on");
+        comment!("signal last_row: the next span is the last of its triangle");
+        comment!("signal loading: a triangle moves to the line registers");
+        comment!("signal stepping: the line registers move to the next row");
+        comment!("signal switching: the lower minor edge takes over");
+        comment!("signal minor_load: the minor edge takes new words");
+        comment!("signal minor_column: minor edge to take, column at the first row");
+        comment!("signal minor_error: minor edge to take, biased error term at the first row");
+        comment!("signal minor_whole: minor edge to take, whole columns per row");
+        comment!("signal minor_up: minor edge to take, error step without carry");
+        comment!("signal minor_down: minor edge to take, error step with carry");
+        comment!("signal running_now: the pixel registers move on");
+        comment!("signal screen_column: column on the screen");
+        comment!("signal screen_address: column on the screen, as an address");
+        comment!("signal width_address: frame width, as an address step");
+        comment!("signal zero: column 0");
+        comment!("signal one: one column");
+        comment!("signal one_row: one row");
+        dff_setup!(
+            self,
+            clock,
+            pending,
+            frame_width,
+            word_rows,
+            word_upper_rows,
+            word_mirrored,
+            word_row,
+            word_base,
+            word_major_column,
+            word_major_error,
+            word_major_whole,
+            word_major_up,
+            word_major_down,
+            word_upper_column,
+            word_upper_error,
+            word_upper_whole,
+            word_upper_up,
+            word_upper_down,
+            word_lower_column,
+            word_lower_error,
+            word_lower_whole,
+            word_lower_up,
+            word_lower_down,
+            lower_column,
+            lower_error,
+            lower_whole,
+            lower_up,
+            lower_down,
+            line_active,
+            rows_left,
+            upper_left,
+            line_row,
+            line_base,
+            line_mirrored,
+            running,
+            column,
+            end,
+            pixel_row,
+            pixel_base,
+            pixel_mirrored
+        );
+
+        self.accept.next = self.write.val() && !self.pending.q.val();
+        self.high_bits.next = self.data.val().get_bits::<12>(20);
+        self.low_bits.next = self.data.val().get_bits::<20>(0);
+        self.high.next = signed_cast_bits::<11, 0, 12>(self.high_bits.val());
+        self.low.next = signed_cast_bits::<19, 0, 20>(self.low_bits.val());
+        self.width_bits.next = self.data.val().get_bits::<12>(0);
+        self.width_word.next = signed_cast_bits::<11, 0, 12>(self.width_bits.val());
+        if self.accept.val() {
+            if self.word.val() == 0u64.into() {
+                self.word_rows.d.next = self.data.val().get_bits::<11>(0);
+                self.word_upper_rows.d.next = self.data.val().get_bits::<11>(11);
+                self.word_mirrored.d.next = self.data.val().get_bit(22);
+            }
+            if self.word.val() == 1u64.into() {
+                self.word_row.d.next = self.data.val().get_bits::<11>(0);
+                self.word_base.d.next = self.data.val().get_bits::<A>(11);
+            }
+            if self.word.val() == 2u64.into() {
+                self.word_major_column.d.next = self.high.val();
+                self.word_major_error.d.next = self.low.val();
+            }
+            if self.word.val() == 3u64.into() {
+                self.word_major_whole.d.next = self.high.val();
+                self.word_major_up.d.next = self.low.val();
+            }
+            if self.word.val() == 4u64.into() {
+                self.word_major_down.d.next = self.low.val();
+            }
+            if self.word.val() == 5u64.into() {
+                self.word_upper_column.d.next = self.high.val();
+                self.word_upper_error.d.next = self.low.val();
+            }
+            if self.word.val() == 6u64.into() {
+                self.word_upper_whole.d.next = self.high.val();
+                self.word_upper_up.d.next = self.low.val();
+            }
+            if self.word.val() == 7u64.into() {
+                self.word_upper_down.d.next = self.low.val();
+            }
+            if self.word.val() == 8u64.into() {
+                self.word_lower_column.d.next = self.high.val();
+                self.word_lower_error.d.next = self.low.val();
+            }
+            if self.word.val() == 9u64.into() {
+                self.word_lower_whole.d.next = self.high.val();
+                self.word_lower_up.d.next = self.low.val();
+            }
+            if self.word.val() == 10u64.into() {
+                self.word_lower_down.d.next = self.low.val();
+            }
+            if self.word.val() == 11u64.into() {
+                self.frame_width.d.next = self.width_word.val();
+            }
+        }
+
+        // Where the frame begins and ends in walk columns.
+        self.negative_width.next = self.zero.val() - self.frame_width.q.val();
+        self.line_near.next = self.zero.val();
+        self.line_far.next = self.frame_width.q.val();
+        if self.line_mirrored.q.val() {
+            self.line_near.next = self.negative_width.val();
+            self.line_far.next = self.zero.val();
+        }
+        self.pixel_near.next = self.zero.val();
+        self.pixel_far.next = self.frame_width.q.val();
+        if self.pixel_mirrored.q.val() {
+            self.pixel_near.next = self.negative_width.val();
+            self.pixel_far.next = self.zero.val();
+        }
+
+        // The three levels: words, next span, current span.
+        self.has_pixels.next = (self.major.column.val() < self.minor.column.val())
+            && (self.major.column.val() < self.line_far.val())
+            && (self.line_near.val() < self.minor.column.val());
+        self.next_column.next = self.column.q.val() + self.one.val();
+        self.span_done.next = (self.next_column.val() == self.end.q.val())
+            || (self.next_column.val() == self.pixel_far.val());
+        self.pixel_free.next = !self.running.q.val() || (self.go.val() && self.span_done.val());
+        self.taking.next =
+            self.line_active.q.val() && self.has_pixels.val() && self.pixel_free.val();
+        self.advance.next =
+            self.taking.val() || (self.line_active.q.val() && !self.has_pixels.val());
+        self.last_row.next = self.rows_left.q.val() == self.one_row.val();
+        self.loading.next = self.pending.q.val()
+            && !self.hold.val()
+            && (!self.line_active.q.val() || (self.advance.val() && self.last_row.val()));
+        self.stepping.next = self.advance.val() && !self.last_row.val();
+        self.switching.next =
+            self.stepping.val() && (self.upper_left.q.val() == self.one_row.val());
+        self.running_now.next = self.running.q.val() && self.go.val();
+
+        if self.loading.val() {
+            self.pending.d.next = false;
+        } else if self.start.val() && !self.pending.q.val() {
+            self.pending.d.next = true;
+        }
+
+        self.width_address.next = unsigned_cast_integer::<A, 11, 0>(self.frame_width.q.val());
+        if self.loading.val() {
+            self.line_active.d.next = self.word_rows.q.val().any();
+            self.rows_left.d.next = self.word_rows.q.val();
+            self.upper_left.d.next = self.word_upper_rows.q.val();
+            self.line_row.d.next = self.word_row.q.val();
+            self.line_base.d.next = self.word_base.q.val();
+            self.line_mirrored.d.next = self.word_mirrored.q.val();
+            self.lower_column.d.next = self.word_lower_column.q.val();
+            self.lower_error.d.next = self.word_lower_error.q.val();
+            self.lower_whole.d.next = self.word_lower_whole.q.val();
+            self.lower_up.d.next = self.word_lower_up.q.val();
+            self.lower_down.d.next = self.word_lower_down.q.val();
+        } else if self.stepping.val() {
+            self.rows_left.d.next = self.rows_left.q.val() - self.one_row.val();
+            self.upper_left.d.next = self.upper_left.q.val() - self.one_row.val();
+            self.line_row.d.next = self.line_row.q.val() + self.one_row.val();
+            self.line_base.d.next = self.line_base.q.val() + self.width_address.val();
+        } else if self.advance.val() {
+            self.line_active.d.next = false;
+        }
+
+        self.major.clock.next = self.clock.val();
+        self.major.load.next = self.loading.val();
+        self.major.step.next = self.stepping.val();
+        self.major.first_column.next = self.word_major_column.q.val();
+        self.major.first_error.next = self.word_major_error.q.val();
+        self.major.whole.next = self.word_major_whole.q.val();
+        self.major.up.next = self.word_major_up.q.val();
+        self.major.down.next = self.word_major_down.q.val();
+
+        self.minor_load.next = self.loading.val() || self.switching.val();
+        self.minor_column.next = self.word_upper_column.q.val();
+        self.minor_error.next = self.word_upper_error.q.val();
+        self.minor_whole.next = self.word_upper_whole.q.val();
+        self.minor_up.next = self.word_upper_up.q.val();
+        self.minor_down.next = self.word_upper_down.q.val();
+        if self.switching.val() {
+            self.minor_column.next = self.lower_column.q.val();
+            self.minor_error.next = self.lower_error.q.val();
+            self.minor_whole.next = self.lower_whole.q.val();
+            self.minor_up.next = self.lower_up.q.val();
+            self.minor_down.next = self.lower_down.q.val();
+        }
+        self.minor.clock.next = self.clock.val();
+        self.minor.load.next = self.minor_load.val();
+        self.minor.step.next = self.stepping.val();
+        self.minor.first_column.next = self.minor_column.val();
+        self.minor.first_error.next = self.minor_error.val();
+        self.minor.whole.next = self.minor_whole.val();
+        self.minor.up.next = self.minor_up.val();
+        self.minor.down.next = self.minor_down.val();
+
+        if self.taking.val() {
+            self.running.d.next = true;
+            self.column.d.next = self.major.column.val();
+            self.end.d.next = self.minor.column.val();
+            self.pixel_row.d.next = self.line_row.q.val();
+            self.pixel_base.d.next = self.line_base.q.val();
+            self.pixel_mirrored.d.next = self.line_mirrored.q.val();
+        } else if self.running_now.val() {
+            self.running.d.next = !self.span_done.val();
+            self.column.d.next = self.next_column.val();
+        }
+
+        self.screen_column.next = self.column.q.val();
+        if self.pixel_mirrored.q.val() {
+            self.screen_column.next = !self.column.q.val();
+        }
+        self.screen_address.next = unsigned_cast_integer::<A, 11, 0>(self.screen_column.val());
+        self.fragment.next = self.running.q.val() && !(self.column.q.val() < self.pixel_near.val());
+        self.x.next = unsigned_cast_integer::<11, 11, 0>(self.screen_column.val());
+        self.y.next = self.pixel_row.q.val();
+        self.address.next = self.pixel_base.q.val() + self.screen_address.val();
+
+        self.load_ready.next = !self.pending.q.val();
+        self.load.next = self.loading.val();
+        self.step.next = self.stepping.val();
+        self.carry.next = self.major.carry.val();
+        self.take.next = self.taking.val();
+        self.run.next = self.running_now.val();
+        self.busy.next = self.pending.q.val() || self.line_active.q.val() || self.running.q.val();
+    }
+}
+
+impl<const A: usize> crate::simulate::Clocked for Shell<A> {
+    fn clock_input(&mut self) -> &mut Signal<In, Clock> {
+        &mut self.clock
+    }
+}

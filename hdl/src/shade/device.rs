@@ -1,0 +1,236 @@
+//! The cores as one type: which datapath, which formats, how large a frame.
+//!
+//! rust-hdl formats are const generics, so a choice made at run time needs every combination compiled. There are two
+//! word lengths per core, told apart by how far an accumulator can run: n = columns + 2·rows (every row may carry).
+
+use super::gouraud::GouraudCore;
+use super::model::{CoreInputs, CoreModel, CoreOutputs, Order};
+use super::quadratic::QuadraticCore;
+use crate::format::U;
+use crate::simulate::{Clocked, Simulator};
+use rust_hdl_core::prelude::*;
+
+/// Quadratic core with Q11.20 colours, 32-bit bus, 2^17 frame addresses.
+pub type QuadraticNarrow = QuadraticCore<32, 20, 32, 17>;
+/// Quadratic core with Q11.24 colours, 36-bit bus, 2^21 frame addresses.
+pub type QuadraticWide = QuadraticCore<36, 24, 36, 21>;
+/// Gouraud core with Q11.12 colours, 32-bit bus, 2^17 frame addresses.
+pub type GouraudNarrow = GouraudCore<24, 12, 32, 17>;
+/// Gouraud core with Q11.14 colours, 32-bit bus, 2^21 frame addresses.
+pub type GouraudWide = GouraudCore<26, 14, 32, 21>;
+
+/// Longest run (columns + 2·rows) of the narrow formats.
+pub const NARROW_RUN: u32 = 1023;
+/// Longest run of the wide formats.
+pub const WIDE_RUN: u32 = 4095;
+/// Widest frame: a column and its successor fit the signed 12-bit walk column.
+pub const MAX_WIDTH: u32 = 2047;
+/// Highest frame: with a guard band of half a frame on each side an edge spans at most 2048 rows.
+pub const MAX_HEIGHT: u32 = 1024;
+
+/// A core, chosen at run time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Core {
+    /// Interpolant per colour channel.
+    pub order: Order,
+    /// Wide formats.
+    pub wide: bool,
+    /// Words of the depth memory: pixels of the frame.
+    pub pixels: usize,
+}
+
+impl Core {
+    /// The core for a frame, with the narrowest formats whose rounding stays within a quarter of an LSB; `None` when
+    /// the frame exceeds the coordinate range.
+    #[must_use]
+    pub fn for_frame(order: Order, width: u32, height: u32) -> Option<Self> {
+        let run = width.checked_add(height.checked_mul(2)?)?;
+        let fits =
+            width <= MAX_WIDTH && height <= MAX_HEIGHT && run <= WIDE_RUN && width * height >= 2;
+        fits.then(|| Self {
+            order,
+            wide: run > NARROW_RUN,
+            pixels: (width * height) as usize,
+        })
+    }
+
+    /// Name of the core in the catalogue.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self.order {
+            Order::Linear => "gouraud",
+            Order::Quadratic => "quadratic",
+        }
+    }
+
+    /// Fraction bits of a colour word.
+    #[must_use]
+    pub fn fraction_bits(&self) -> usize {
+        match (self.order, self.wide) {
+            (Order::Quadratic, false) => 20,
+            (Order::Quadratic, true) => 24,
+            (Order::Linear, false) => 12,
+            (Order::Linear, true) => 14,
+        }
+    }
+
+    /// Width of the register bus.
+    #[must_use]
+    pub fn bus_bits(&self) -> usize {
+        (12 + self.fraction_bits()).max(32)
+    }
+
+    /// Width of a frame address.
+    #[must_use]
+    pub fn address_bits(&self) -> usize {
+        if self.wide {
+            21
+        } else {
+            17
+        }
+    }
+
+    /// Largest arithmetic error of a colour before the final rounding, in LSB, for runs of up to `run` additions
+    /// (lines + carries + pixels): words are rounded to nearest, sums are exact.
+    #[must_use]
+    pub fn error_bound(&self, run: u32) -> f64 {
+        let n = f64::from(run);
+        let words = match self.order {
+            Order::Linear => 1.0 + n,
+            Order::Quadratic => 1.0 + n * (n + 1.0) / 2.0,
+        };
+        words / 2f64.powi(self.fraction_bits() as i32 + 1)
+    }
+
+    /// Integer model of the core.
+    #[must_use]
+    pub fn model(&self) -> CoreModel {
+        CoreModel::new(
+            self.order,
+            self.fraction_bits(),
+            self.address_bits(),
+            self.pixels,
+        )
+    }
+
+    /// Calls `f` with the description.
+    pub fn with_design<R>(&self, f: impl DesignVisitor<R>) -> R {
+        match (self.order, self.wide) {
+            (Order::Quadratic, false) => f.visit(QuadraticNarrow::new(self.pixels)),
+            (Order::Quadratic, true) => f.visit(QuadraticWide::new(self.pixels)),
+            (Order::Linear, false) => f.visit(GouraudNarrow::new(self.pixels)),
+            (Order::Linear, true) => f.visit(GouraudWide::new(self.pixels)),
+        }
+    }
+}
+
+/// A function over any core's description.
+pub trait DesignVisitor<R> {
+    /// Uses the description.
+    fn visit<B: Clocked + CorePorts + 'static>(self, design: B) -> R;
+}
+
+/// The ports that all cores share.
+pub trait CorePorts {
+    /// Presents inputs.
+    fn set(&mut self, i: &CoreInputs);
+    /// Reads outputs.
+    fn get(&self) -> CoreOutputs;
+}
+
+macro_rules! core_ports {
+    ($type:ident) => {
+        impl<const D: usize, const N: usize, const B: usize, const A: usize> CorePorts
+            for $type<D, N, B, A>
+        {
+            fn set(&mut self, i: &CoreInputs) {
+                self.write.next = i.write;
+                self.select.next = U::new(u64::from(i.select));
+                self.data.next = U::new(i.data);
+                self.start.next = i.start;
+                self.clear.next = i.clear;
+                self.ready.next = i.ready;
+            }
+
+            fn get(&self) -> CoreOutputs {
+                let byte = |v: U<8>| v.get() as u8;
+                CoreOutputs {
+                    load_ready: self.load_ready.val(),
+                    valid: self.valid.val(),
+                    x: self.x.val().get() as u16,
+                    y: self.y.val().get() as u16,
+                    rgb: [
+                        byte(self.red.val()),
+                        byte(self.green.val()),
+                        byte(self.blue.val()),
+                    ],
+                    depth: self.depth.val().get() as u16,
+                    busy: self.busy.val(),
+                    done: self.done.val(),
+                }
+            }
+        }
+    };
+}
+core_ports!(QuadraticCore);
+core_ports!(GouraudCore);
+
+/// A core's description under simulation.
+pub struct CoreSimulator(Box<dyn Engine>);
+
+trait Engine {
+    fn clock(&mut self, i: &CoreInputs);
+    fn outputs(&self) -> CoreOutputs;
+    fn design(&self) -> &dyn Block;
+}
+
+impl<B: Clocked + CorePorts> Engine for Simulator<B> {
+    fn clock(&mut self, i: &CoreInputs) {
+        self.design.set(i);
+        Simulator::clock(self);
+    }
+
+    fn outputs(&self) -> CoreOutputs {
+        self.design.get()
+    }
+
+    fn design(&self) -> &dyn Block {
+        self.design.as_ref()
+    }
+}
+
+struct Build;
+
+impl DesignVisitor<Result<CoreSimulator, String>> for Build {
+    fn visit<B: Clocked + CorePorts + 'static>(self, design: B) -> Result<CoreSimulator, String> {
+        Ok(CoreSimulator(Box::new(Simulator::new(design)?)))
+    }
+}
+
+impl CoreSimulator {
+    /// Connects and checks the core's description.
+    ///
+    /// # Errors
+    /// What rust-hdl's checks find.
+    pub fn new(core: Core) -> Result<Self, String> {
+        core.with_design(Build)
+    }
+
+    /// One clock with these inputs.
+    #[inline]
+    pub fn clock(&mut self, i: &CoreInputs) {
+        self.0.clock(i);
+    }
+
+    /// The outputs after the last clock. (They depend on state alone.)
+    #[must_use]
+    pub fn outputs(&self) -> CoreOutputs {
+        self.0.outputs()
+    }
+
+    /// The description, for probes.
+    #[must_use]
+    pub fn design(&self) -> &dyn Block {
+        self.0.design()
+    }
+}

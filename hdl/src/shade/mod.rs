@@ -1,0 +1,14 @@
+//! Cores: a datapath per shading method behind the shared raster shell, with depth test and pixel stream.
+
+pub mod device;
+pub mod gouraud;
+pub mod model;
+pub mod quadratic;
+pub mod saturate;
+
+/// Integer bits of a colour word: ±2048 LSB holds a six-knot colour of knots in 0..=1530.
+pub const COLOUR_INTEGER_BITS: usize = 11;
+/// Integer bits of the depth interpolant; depth words are 16 bits.
+pub const DEPTH_INTEGER_BITS: usize = 16;
+/// Fraction bits of the depth interpolant.
+pub const DEPTH_FRACTION_BITS: usize = 15;

@@ -1,0 +1,85 @@
+//! Colour output: the integer part of a colour word, clamped to 0..=255.
+//!
+//! A six-knot colour leaves the range of its knots by up to a third (basis functions sum to 4/3 and −1/3), so the clamp
+//! behind the accumulator is part of the method; Abbas' appendix omits it. The half LSB for rounding to nearest is added
+//! once, to the start value.
+
+use crate::format::{signed_cast_align, Q, U};
+use rust_hdl_core::prelude::*;
+
+/// Combinational.
+#[derive(LogicBlock)]
+pub struct Saturate<const N: usize> {
+    /// Colour in LSB, with half an LSB already added.
+    pub value: Signal<In, Q<11, N>>,
+    /// Colour as a byte.
+    pub byte: Signal<Out, U<8>>,
+    whole: Signal<Local, Q<11, 0>>,
+    excess: Signal<Local, U<3>>,
+    zero: Constant<U<8>>,
+    full: Constant<U<8>>,
+}
+
+impl<const N: usize> Default for Saturate<N> {
+    fn default() -> Self {
+        Self {
+            value: Default::default(),
+            byte: Default::default(),
+            whole: Default::default(),
+            excess: Default::default(),
+            zero: Constant::new(U::new(0)),
+            full: Constant::new(U::new(255)),
+        }
+    }
+}
+
+impl<const N: usize> Logic for Saturate<N> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        comment!("name saturate");
+        comment!("title Clamps the integer part of a colour to a byte.");
+        comment!("equation byte = min(max(floor(value), 0), 255)");
+        comment!("source A six-knot colour leaves its knots by up to a third; Abbas 2003, appendix, has no clamp.");
+        comment!("latency Combinational.");
+        comment!("signal whole: integer part of the colour");
+        comment!("signal excess: integer bits above a byte");
+        comment!("signal zero: darkest byte");
+        comment!("signal full: brightest byte");
+        self.whole.next = signed_cast_align::<11, 0, 11, N>(self.value.val());
+        self.excess.next = self.whole.val().get_bits::<3>(8);
+        if self.whole.val().get_bit(11) {
+            self.byte.next = self.zero.val();
+        } else if self.excess.val().any() {
+            self.byte.next = self.full.val();
+        } else {
+            self.byte.next = self.whole.val().get_bits::<8>(0);
+        }
+    }
+}
+
+/// Integer model of [`Saturate`]: `code` has `fraction_bits`.
+#[must_use]
+pub fn saturate_model(code: i64, fraction_bits: usize) -> u8 {
+    (code >> fraction_bits).clamp(0, 255) as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_integer_part_and_both_ends_of_the_fraction() {
+        let mut design = Saturate::<4>::default();
+        design.connect_all();
+        check_all(&design).expect("connected");
+        for code in -(1i64 << 15)..1 << 15 {
+            design.value.next = Q::from_code(code);
+            assert!(simulate(&mut design, 20));
+            assert_eq!(
+                design.byte.val().get(),
+                u64::from(saturate_model(code, 4)),
+                "code {code}"
+            );
+        }
+    }
+}
