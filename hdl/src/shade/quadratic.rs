@@ -204,6 +204,11 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
         // Stages move together; only a pixel that nobody takes stops them.
         self.go.next = !self.out_valid.q.val() || self.ready.val();
 
+        self.is_busy.next = self.shell.busy.val()
+            || self.z_buffer.waiting.val()
+            || self.z_buffer.clearing.val()
+            || self.out_valid.q.val();
+
         // Register file.
         self.accept.next = self.write.val() && self.shell.load_ready.val();
         self.word.next = self.select.val().get_bits::<4>(0);
@@ -286,10 +291,6 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
             self.out_depth.d.next = self.z_buffer.waiting_depth.val();
         }
 
-        self.is_busy.next = self.shell.busy.val()
-            || self.z_buffer.waiting.val()
-            || self.z_buffer.clearing.val()
-            || self.out_valid.q.val();
         self.was_busy.d.next = self.is_busy.val();
 
         self.load_ready.next = self.shell.load_ready.val();
