@@ -1,1 +1,3 @@
-//! Placeholder until the first module lands.
+//! Runs cores beside the reference renderer and says where their frames differ.
+
+pub mod compare;
