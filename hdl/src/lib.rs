@@ -16,3 +16,4 @@ pub mod interpolate;
 pub mod raster;
 pub mod shade;
 pub mod simulate;
+pub mod sources;

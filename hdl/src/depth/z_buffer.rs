@@ -34,18 +34,30 @@ pub struct ZBuffer<const A: usize> {
     pub waiting_depth: Signal<Out, U<16>>,
     /// The memory is being cleared.
     pub clearing: Signal<Out, Bit>,
+    /// A fragment waits for its verdict.
     valid: DFF<Bit>,
+    /// Its frame address.
     held_address: DFF<U<A>>,
+    /// Its depth.
     held_depth: DFF<U<16>>,
+    /// The word it read was written in the same clock.
     forward: DFF<Bit>,
+    /// The depth that was written.
     forward_depth: DFF<U<16>>,
+    /// The memory is being cleared.
     sweeping: DFF<Bit>,
+    /// Word to clear.
     sweep_address: DFF<U<A>>,
+    /// Depth to compare with.
     stored: Signal<Local, U<16>>,
+    /// The fragment is nearer than all before.
     visible: Signal<Local, Bit>,
     memory: FrameMemory<A>,
+    /// Last word of the memory.
     last_address: Constant<U<A>>,
+    /// Address step.
     one_word: Constant<U<A>>,
+    /// Depth of a cleared word.
     empty: Constant<U<16>>,
 }
 
@@ -89,18 +101,6 @@ impl<const A: usize> Logic for ZBuffer<A> {
         comment!("equation visible = depth > stored depth; then stored depth = depth (larger is nearer, 0 is empty)");
         comment!("source Abbas 2003, section 4.2 and figure 4.5; pipelined.");
         comment!("latency One clock from fragment to pass.");
-        comment!("signal valid: a fragment waits for its verdict");
-        comment!("signal held_address: its frame address");
-        comment!("signal held_depth: its depth");
-        comment!("signal forward: the word it read was written in the same clock");
-        comment!("signal forward_depth: the depth that was written");
-        comment!("signal sweeping: the memory is being cleared");
-        comment!("signal sweep_address: word to clear");
-        comment!("signal stored: depth to compare with");
-        comment!("signal visible: the fragment is nearer than all before");
-        comment!("signal last_address: last word of the memory");
-        comment!("signal one_word: address step");
-        comment!("signal empty: depth of a cleared word");
         dff_setup!(
             self,
             clock,

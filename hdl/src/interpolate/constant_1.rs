@@ -15,6 +15,7 @@ pub struct Constant1<const M: usize, const N: usize> {
     pub start: Signal<In, Q<M, N>>,
     /// Value of the current span.
     pub value: Signal<Out, Q<M, N>>,
+    /// Value of the current span.
     held: DFF<Q<M, N>>,
 }
 
@@ -26,7 +27,6 @@ impl<const M: usize, const N: usize> Logic for Constant1<M, N> {
         comment!("equation f(k) = c");
         comment!("source Abbas 2003, section 2.1.1.");
         comment!("latency One clock from load to value.");
-        comment!("signal held: value of the current span");
         dff_setup!(self, clock, held);
         if self.load.val() {
             self.held.d.next = self.start.val();

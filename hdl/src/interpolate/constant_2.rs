@@ -23,8 +23,11 @@ pub struct Constant2<const D: usize, const M: usize, const N: usize> {
     pub take: Signal<In, Bit>,
     /// Value at the current pixel.
     pub value: Signal<Out, Q<M, N>>,
+    /// Register bus as a word of this format.
     bus: Signal<Local, Q<M, N>>,
+    /// Value of the next triangle.
     word_value: DFF<Q<M, N>>,
+    /// Value of the current triangle.
     line_value: DFF<Q<M, N>>,
     span: Constant1<M, N>,
 }
@@ -37,9 +40,6 @@ impl<const D: usize, const M: usize, const N: usize> Logic for Constant2<D, M, N
         comment!("equation f(x, y) = c");
         comment!("source Abbas 2003, section 2.2.1.");
         comment!("latency One clock each from write, load and take.");
-        comment!("signal bus: register bus as a word of this format");
-        comment!("signal word_value: value of the next triangle");
-        comment!("signal line_value: value of the current triangle");
         dff_setup!(self, clock, word_value, line_value);
         self.bus.next = signed_cast_bits::<M, N, D>(self.data.val());
         if self.write.val() {

@@ -21,7 +21,9 @@ pub struct Linear1<const M: usize, const N: usize> {
     pub step: Signal<In, Q<M, N>>,
     /// Value at the current pixel.
     pub value: Signal<Out, Q<M, N>>,
+    /// Value at the current pixel.
     total: DFF<Q<M, N>>,
+    /// Difference from pixel to pixel.
     first: DFF<Q<M, N>>,
 }
 
@@ -33,8 +35,6 @@ impl<const M: usize, const N: usize> Logic for Linear1<M, N> {
         comment!("equation f(k) = c + d k;  f(k+1) = f(k) + d");
         comment!("source Abbas 2003, section 2.1.2.");
         comment!("latency One clock from load to value; one value per clock.");
-        comment!("signal total: value at the current pixel");
-        comment!("signal first: difference from pixel to pixel");
         dff_setup!(self, clock, total, first);
         if self.load.val() {
             self.total.d.next = self.start.val();

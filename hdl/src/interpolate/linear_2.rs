@@ -38,14 +38,23 @@ pub struct Linear2<const D: usize, const M: usize, const N: usize> {
     pub run: Signal<In, Bit>,
     /// Value at the current pixel.
     pub value: Signal<Out, Q<M, N>>,
+    /// Register bus as a word of this format.
     bus: Signal<Local, Q<M, N>>,
+    /// Next triangle, value at the first span start.
     word_value: DFF<Q<M, N>>,
+    /// Next triangle, difference along the pixel step.
     word_d_pixel: DFF<Q<M, N>>,
+    /// Next triangle, difference along the line step.
     word_d_line: DFF<Q<M, N>>,
+    /// Next triangle, difference along the carrying line step.
     word_d_line_carry: DFF<Q<M, N>>,
+    /// Value at the start of the next span.
     value_line: DFF<Q<M, N>>,
+    /// Difference along the pixel step.
     d_pixel: DFF<Q<M, N>>,
+    /// Difference along the line step.
     d_line: DFF<Q<M, N>>,
+    /// Difference along the carrying line step.
     d_line_carry: DFF<Q<M, N>>,
     span: Linear1<M, N>,
 }
@@ -60,17 +69,6 @@ impl<const D: usize, const M: usize, const N: usize> Logic for Linear2<D, M, N> 
         comment!("equation f(P+s) = f(P) + d_line;  f(P+s+p) = f(P) + d_line_carry;  f(P+p) = f(P) + d_pixel");
         comment!("source Abbas 2003, section 2.2.2, with the exact edge walk instead of the truncated slope.");
         comment!("latency One clock each from write, load and take to value; one value per clock.");
-        comment!("signal bus: register bus as a word of this format");
-        comment!("signal word_value: next triangle, value at the first span start");
-        comment!("signal word_d_pixel: next triangle, difference along the pixel step");
-        comment!("signal word_d_line: next triangle, difference along the line step");
-        comment!(
-            "signal word_d_line_carry: next triangle, difference along the carrying line step"
-        );
-        comment!("signal value_line: value at the start of the next span");
-        comment!("signal d_pixel: difference along the pixel step");
-        comment!("signal d_line: difference along the line step");
-        comment!("signal d_line_carry: difference along the carrying line step");
         dff_setup!(
             self,
             clock,

@@ -24,8 +24,11 @@ pub struct Quadratic1<const M: usize, const N: usize> {
     pub bend: Signal<In, Q<M, N>>,
     /// Value at the current pixel.
     pub value: Signal<Out, Q<M, N>>,
+    /// Value at the current pixel.
     total: DFF<Q<M, N>>,
+    /// First difference at the current pixel.
     first: DFF<Q<M, N>>,
+    /// Second difference.
     second: DFF<Q<M, N>>,
 }
 
@@ -37,9 +40,6 @@ impl<const M: usize, const N: usize> Logic for Quadratic1<M, N> {
         comment!("equation f(k+1) = f(k) + d(k);  d(k+1) = d(k) + dd");
         comment!("source Abbas 2003, section 2.1.3 and figure 2.3.");
         comment!("latency One clock from load to value; one value per clock.");
-        comment!("signal total: value at the current pixel");
-        comment!("signal first: first difference at the current pixel");
-        comment!("signal second: second difference");
         dff_setup!(self, clock, total, first, second);
         if self.load.val() {
             self.total.d.next = self.start.val();

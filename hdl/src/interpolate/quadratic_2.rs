@@ -44,26 +44,47 @@ pub struct Quadratic2<const D: usize, const M: usize, const N: usize> {
     pub run: Signal<In, Bit>,
     /// Value at the current pixel.
     pub value: Signal<Out, Q<M, N>>,
+    /// Register bus as a word of this format.
     bus: Signal<Local, Q<M, N>>,
+    /// Next triangle, value at the first span start.
     word_value: DFF<Q<M, N>>,
+    /// Next triangle, difference along the pixel step p.
     word_d_pixel: DFF<Q<M, N>>,
+    /// Next triangle, difference along the line step s.
     word_d_line: DFF<Q<M, N>>,
+    /// Next triangle, difference along the carrying line step t.
     word_d_line_carry: DFF<Q<M, N>>,
+    /// Next triangle, second difference p,p.
     word_dd_pixel: DFF<Q<M, N>>,
+    /// Next triangle, second difference p,s.
     word_dd_pixel_line: DFF<Q<M, N>>,
+    /// Next triangle, second difference p,t.
     word_dd_pixel_carry: DFF<Q<M, N>>,
+    /// Next triangle, second difference s,s.
     word_dd_line: DFF<Q<M, N>>,
+    /// Next triangle, second difference s,t.
     word_dd_line_carry: DFF<Q<M, N>>,
+    /// Next triangle, second difference t,t.
     word_dd_carry: DFF<Q<M, N>>,
+    /// Value at the start of the next span.
     value_line: DFF<Q<M, N>>,
+    /// Difference along p at the span start.
     d_pixel: DFF<Q<M, N>>,
+    /// Difference along s at the span start.
     d_line: DFF<Q<M, N>>,
+    /// Difference along t at the span start.
     d_line_carry: DFF<Q<M, N>>,
+    /// Second difference p,p.
     dd_pixel: DFF<Q<M, N>>,
+    /// Second difference p,s.
     dd_pixel_line: DFF<Q<M, N>>,
+    /// Second difference p,t.
     dd_pixel_carry: DFF<Q<M, N>>,
+    /// Second difference s,s.
     dd_line: DFF<Q<M, N>>,
+    /// Second difference s,t.
     dd_line_carry: DFF<Q<M, N>>,
+    /// Second difference t,t.
     dd_carry: DFF<Q<M, N>>,
     span: Quadratic1<M, N>,
 }
@@ -78,29 +99,6 @@ impl<const D: usize, const M: usize, const N: usize> Logic for Quadratic2<D, M, 
         comment!("equation f(P+u) = f(P) + d_u(P);  d_u(P+v) = d_u(P) + dd(u,v)  for u, v in p = (1,0), s = (a,1), t = (a+1,1)");
         comment!("source Abbas 2003, section 2.2.3 and figure 2.7, with the exact edge walk instead of the truncated slope.");
         comment!("latency One clock each from write, load and take to value; one value per clock.");
-        comment!("signal bus: register bus as a word of this format");
-        comment!("signal word_value: next triangle, value at the first span start");
-        comment!("signal word_d_pixel: next triangle, difference along the pixel step p");
-        comment!("signal word_d_line: next triangle, difference along the line step s");
-        comment!(
-            "signal word_d_line_carry: next triangle, difference along the carrying line step t"
-        );
-        comment!("signal word_dd_pixel: next triangle, second difference p,p");
-        comment!("signal word_dd_pixel_line: next triangle, second difference p,s");
-        comment!("signal word_dd_pixel_carry: next triangle, second difference p,t");
-        comment!("signal word_dd_line: next triangle, second difference s,s");
-        comment!("signal word_dd_line_carry: next triangle, second difference s,t");
-        comment!("signal word_dd_carry: next triangle, second difference t,t");
-        comment!("signal value_line: value at the start of the next span");
-        comment!("signal d_pixel: difference along p at the span start");
-        comment!("signal d_line: difference along s at the span start");
-        comment!("signal d_line_carry: difference along t at the span start");
-        comment!("signal dd_pixel: second difference p,p");
-        comment!("signal dd_pixel_line: second difference p,s");
-        comment!("signal dd_pixel_carry: second difference p,t");
-        comment!("signal dd_line: second difference s,s");
-        comment!("signal dd_line_carry: second difference s,t");
-        comment!("signal dd_carry: second difference t,t");
         dff_setup!(
             self,
             clock,

@@ -32,13 +32,21 @@ pub struct EdgeWalk {
     pub column: Signal<Out, Q<11, 0>>,
     /// The next step moves one column more.
     pub carry: Signal<Out, Bit>,
+    /// Column of the edge at the current row.
     position: DFF<Q<11, 0>>,
+    /// Biased error term, the next step carries when it is not negative.
     error: DFF<Q<19, 0>>,
+    /// Whole columns per row.
     slope: DFF<Q<11, 0>>,
+    /// Error step without carry, dx mod dy.
     error_up: DFF<Q<19, 0>>,
+    /// Error step with carry, dx mod dy - dy.
     error_down: DFF<Q<19, 0>>,
+    /// The next step carries.
     carries: Signal<Local, Bit>,
+    /// Columns of a carrying step.
     slope_carry: Signal<Local, Q<11, 0>>,
+    /// One column.
     one: Constant<Q<11, 0>>,
 }
 
@@ -75,14 +83,6 @@ impl Logic for EdgeWalk {
         comment!("equation column(r) = ceil(((xa - 1/2) dy + (r + 1/2 - ya) dx) / dy), by whole steps and an error term");
         comment!("source Exact digital differential analyser; replaces the truncated slope of Abbas 2003, section 2.2.");
         comment!("latency One clock from load to column; one row per clock.");
-        comment!("signal position: column of the edge at the current row");
-        comment!("signal error: biased error term, the next step carries when it is not negative");
-        comment!("signal slope: whole columns per row");
-        comment!("signal error_up: error step without carry, dx mod dy");
-        comment!("signal error_down: error step with carry, dx mod dy - dy");
-        comment!("signal carries: the next step carries");
-        comment!("signal slope_carry: columns of a carrying step");
-        comment!("signal one: one column");
         dff_setup!(self, clock, position, error, slope, error_up, error_down);
         self.carries.next = !self.error.q.val().get_bit(19);
         self.slope_carry.next = self.slope.q.val() + self.one.val();

@@ -77,81 +77,155 @@ pub struct Shell<const A: usize> {
     pub address: Signal<Out, U<A>>,
     /// A triangle is waiting or being walked.
     pub busy: Signal<Out, Bit>,
+    /// The register words hold a complete triangle.
     pending: DFF<Bit>,
+    /// Columns of the frame.
     frame_width: DFF<Q<11, 0>>,
+    /// Next triangle, rows.
     word_rows: DFF<U<11>>,
+    /// Next triangle, rows of the upper minor edge.
     word_upper_rows: DFF<U<11>>,
+    /// Next triangle, columns are complemented.
     word_mirrored: DFF<Bit>,
+    /// Next triangle, first row.
     word_row: DFF<U<11>>,
+    /// Next triangle, address of column 0 of the first row.
     word_base: DFF<U<A>>,
+    /// Next triangle, major edge, column at the first row.
     word_major_column: DFF<Q<11, 0>>,
+    /// Next triangle, major edge, biased error term at the first row.
     word_major_error: DFF<Q<19, 0>>,
+    /// Next triangle, major edge, whole columns per row.
     word_major_whole: DFF<Q<11, 0>>,
+    /// Next triangle, major edge, error step without carry.
     word_major_up: DFF<Q<19, 0>>,
+    /// Next triangle, major edge, error step with carry.
     word_major_down: DFF<Q<19, 0>>,
+    /// Next triangle, upper minor edge, column at the first row.
     word_upper_column: DFF<Q<11, 0>>,
+    /// Next triangle, upper minor edge, biased error term at the first row.
     word_upper_error: DFF<Q<19, 0>>,
+    /// Next triangle, upper minor edge, whole columns per row.
     word_upper_whole: DFF<Q<11, 0>>,
+    /// Next triangle, upper minor edge, error step without carry.
     word_upper_up: DFF<Q<19, 0>>,
+    /// Next triangle, upper minor edge, error step with carry.
     word_upper_down: DFF<Q<19, 0>>,
+    /// Next triangle, lower minor edge, column at the first row.
     word_lower_column: DFF<Q<11, 0>>,
+    /// Next triangle, lower minor edge, biased error term at the first row.
     word_lower_error: DFF<Q<19, 0>>,
+    /// Next triangle, lower minor edge, whole columns per row.
     word_lower_whole: DFF<Q<11, 0>>,
+    /// Next triangle, lower minor edge, error step without carry.
     word_lower_up: DFF<Q<19, 0>>,
+    /// Next triangle, lower minor edge, error step with carry.
     word_lower_down: DFF<Q<19, 0>>,
+    /// Current triangle, lower minor edge, column at the first row.
     lower_column: DFF<Q<11, 0>>,
+    /// Current triangle, lower minor edge, biased error term at the first row.
     lower_error: DFF<Q<19, 0>>,
+    /// Current triangle, lower minor edge, whole columns per row.
     lower_whole: DFF<Q<11, 0>>,
+    /// Current triangle, lower minor edge, error step without carry.
     lower_up: DFF<Q<19, 0>>,
+    /// Current triangle, lower minor edge, error step with carry.
     lower_down: DFF<Q<19, 0>>,
+    /// The line registers hold a span.
     line_active: DFF<Bit>,
+    /// Rows from this one on.
     rows_left: DFF<U<11>>,
+    /// Rows from this one on that end at the upper minor edge.
     upper_left: DFF<U<11>>,
+    /// Row of the next span.
     line_row: DFF<U<11>>,
+    /// Address of column 0 of that row.
     line_base: DFF<U<A>>,
+    /// Columns of the next span are complemented.
     line_mirrored: DFF<Bit>,
+    /// The pixel registers stand on a pixel.
     running: DFF<Bit>,
+    /// Walk column of the pixel.
     column: DFF<Q<11, 0>>,
-    end: DFF<Q<11, 0>>,
+    /// One past the last walk column of the span.
+    span_end: DFF<Q<11, 0>>,
+    /// Row of the pixel.
     pixel_row: DFF<U<11>>,
+    /// Address of column 0 of that row.
     pixel_base: DFF<U<A>>,
+    /// Columns of the span are complemented.
     pixel_mirrored: DFF<Bit>,
+    /// The write is accepted.
     accept: Signal<Local, Bit>,
+    /// Upper part of the register bus.
     high_bits: Signal<Local, U<12>>,
+    /// Lower part of the register bus.
     low_bits: Signal<Local, U<20>>,
+    /// Upper part of the register bus as a column.
     high: Signal<Local, Q<11, 0>>,
+    /// Lower part of the register bus as an error term.
     low: Signal<Local, Q<19, 0>>,
+    /// Low part of the register bus as a column.
     width_word: Signal<Local, Q<11, 0>>,
+    /// Low part of the register bus.
     width_bits: Signal<Local, U<12>>,
+    /// Minus the frame width.
     negative_width: Signal<Local, Q<11, 0>>,
+    /// First walk column of the frame for the next span.
     line_near: Signal<Local, Q<11, 0>>,
+    /// One past the last walk column of the frame for the next span.
     line_far: Signal<Local, Q<11, 0>>,
+    /// First walk column of the frame for this span.
     pixel_near: Signal<Local, Q<11, 0>>,
+    /// One past the last walk column of the frame for this span.
     pixel_far: Signal<Local, Q<11, 0>>,
+    /// The next span meets the frame.
     has_pixels: Signal<Local, Bit>,
+    /// Walk column of the next pixel.
     next_column: Signal<Local, Q<11, 0>>,
+    /// This is the last pixel of the span.
     span_done: Signal<Local, Bit>,
+    /// The pixel registers can take a span.
     pixel_free: Signal<Local, Bit>,
+    /// A span moves to the pixel registers.
     taking: Signal<Local, Bit>,
+    /// The line registers move on.
     advance: Signal<Local, Bit>,
+    /// The next span is the last of its triangle.
     last_row: Signal<Local, Bit>,
+    /// A triangle moves to the line registers.
     loading: Signal<Local, Bit>,
+    /// The line registers move to the next row.
     stepping: Signal<Local, Bit>,
+    /// The lower minor edge takes over.
     switching: Signal<Local, Bit>,
+    /// The minor edge takes new words.
     minor_load: Signal<Local, Bit>,
+    /// Minor edge to take, column at the first row.
     minor_column: Signal<Local, Q<11, 0>>,
+    /// Minor edge to take, biased error term at the first row.
     minor_error: Signal<Local, Q<19, 0>>,
+    /// Minor edge to take, whole columns per row.
     minor_whole: Signal<Local, Q<11, 0>>,
+    /// Minor edge to take, error step without carry.
     minor_up: Signal<Local, Q<19, 0>>,
+    /// Minor edge to take, error step with carry.
     minor_down: Signal<Local, Q<19, 0>>,
+    /// The pixel registers move on.
     running_now: Signal<Local, Bit>,
+    /// Column on the screen.
     screen_column: Signal<Local, Q<11, 0>>,
+    /// Column on the screen, as an address.
     screen_address: Signal<Local, U<A>>,
+    /// Frame width, as an address step.
     width_address: Signal<Local, U<A>>,
     major: EdgeWalk,
     minor: EdgeWalk,
+    /// Column 0.
     zero: Constant<Q<11, 0>>,
+    /// One column.
     one: Constant<Q<11, 0>>,
+    /// One row.
     one_row: Constant<U<11>>,
 }
 
@@ -211,7 +285,7 @@ impl<const A: usize> Default for Shell<A> {
             line_mirrored: Default::default(),
             running: Default::default(),
             column: Default::default(),
-            end: Default::default(),
+            span_end: Default::default(),
             pixel_row: Default::default(),
             pixel_base: Default::default(),
             pixel_mirrored: Default::default(),
@@ -264,86 +338,6 @@ impl<const A: usize> Logic for Shell<A> {
         comment!("equation span of row r = columns major(r) .. minor(r) - 1; screen column = mirrored ? ~column : column");
         comment!("source Register file as in Abbas 2003, appendix (select, data, strobe), double-buffered; edge walk exact.");
         comment!("latency Two clocks from start to the first fragment; then one pixel per clock, without bubbles.");
-        comment!("signal pending: the register words hold a complete triangle");
-        comment!("signal frame_width: columns of the frame");
-        comment!("signal word_rows: next triangle, rows");
-        comment!("signal word_upper_rows: next triangle, rows of the upper minor edge");
-        comment!("signal word_mirrored: next triangle, columns are complemented");
-        comment!("signal word_row: next triangle, first row");
-        comment!("signal word_base: next triangle, address of column 0 of the first row");
-        comment!("signal word_major_column: next triangle, major edge, column at the first row");
-        comment!("signal word_major_error: next triangle, major edge, biased error term at the first row");
-        comment!("signal word_major_whole: next triangle, major edge, whole columns per row");
-        comment!("signal word_major_up: next triangle, major edge, error step without carry");
-        comment!("signal word_major_down: next triangle, major edge, error step with carry");
-        comment!(
-            "signal word_upper_column: next triangle, upper minor edge, column at the first row"
-        );
-        comment!("signal word_upper_error: next triangle, upper minor edge, biased error term at the first row");
-        comment!("signal word_upper_whole: next triangle, upper minor edge, whole columns per row");
-        comment!("signal word_upper_up: next triangle, upper minor edge, error step without carry");
-        comment!("signal word_upper_down: next triangle, upper minor edge, error step with carry");
-        comment!(
-            "signal word_lower_column: next triangle, lower minor edge, column at the first row"
-        );
-        comment!("signal word_lower_error: next triangle, lower minor edge, biased error term at the first row");
-        comment!("signal word_lower_whole: next triangle, lower minor edge, whole columns per row");
-        comment!("signal word_lower_up: next triangle, lower minor edge, error step without carry");
-        comment!("signal word_lower_down: next triangle, lower minor edge, error step with carry");
-        comment!(
-            "signal lower_column: current triangle, lower minor edge, column at the first row"
-        );
-        comment!("signal lower_error: current triangle, lower minor edge, biased error term at the first row");
-        comment!("signal lower_whole: current triangle, lower minor edge, whole columns per row");
-        comment!("signal lower_up: current triangle, lower minor edge, error step without carry");
-        comment!("signal lower_down: current triangle, lower minor edge, error step with carry");
-        comment!("signal line_active: the line registers hold a span");
-        comment!("signal rows_left: rows from this one on");
-        comment!("signal upper_left: rows from this one on that end at the upper minor edge");
-        comment!("signal line_row: row of the next span");
-        comment!("signal line_base: address of column 0 of that row");
-        comment!("signal line_mirrored: columns of the next span are complemented");
-        comment!("signal running: the pixel registers stand on a pixel");
-        comment!("signal column: walk column of the pixel");
-        comment!("signal end: one past the last walk column of the span");
-        comment!("signal pixel_row: row of the pixel");
-        comment!("signal pixel_base: address of column 0 of that row");
-        comment!("signal pixel_mirrored: columns of the span are complemented");
-        comment!("signal accept: the write is accepted");
-        comment!("signal high_bits: upper part of the register bus");
-        comment!("signal low_bits: lower part of the register bus");
-        comment!("signal high: upper part of the register bus as a column");
-        comment!("signal low: lower part of the register bus as an error term");
-        comment!("signal width_word: low part of the register bus as a column");
-        comment!("signal width_bits: low part of the register bus");
-        comment!("signal negative_width: minus the frame width");
-        comment!("signal line_near: first walk column of the frame for the next span");
-        comment!("signal line_far: one past the last walk column of the frame for the next span");
-        comment!("signal pixel_near: first walk column of the frame for this span");
-        comment!("signal pixel_far: one past the last walk column of the frame for this span");
-        comment!("signal has_pixels: the next span meets the frame");
-        comment!("signal next_column: walk column of the next pixel");
-        comment!("signal span_done: this is the last pixel of the span");
-        comment!("signal pixel_free: the pixel registers can take a span");
-        comment!("signal taking: a span moves to the pixel registers");
-        comment!("signal advance: the line registers move on");
-        comment!("signal last_row: the next span is the last of its triangle");
-        comment!("signal loading: a triangle moves to the line registers");
-        comment!("signal stepping: the line registers move to the next row");
-        comment!("signal switching: the lower minor edge takes over");
-        comment!("signal minor_load: the minor edge takes new words");
-        comment!("signal minor_column: minor edge to take, column at the first row");
-        comment!("signal minor_error: minor edge to take, biased error term at the first row");
-        comment!("signal minor_whole: minor edge to take, whole columns per row");
-        comment!("signal minor_up: minor edge to take, error step without carry");
-        comment!("signal minor_down: minor edge to take, error step with carry");
-        comment!("signal running_now: the pixel registers move on");
-        comment!("signal screen_column: column on the screen");
-        comment!("signal screen_address: column on the screen, as an address");
-        comment!("signal width_address: frame width, as an address step");
-        comment!("signal zero: column 0");
-        comment!("signal one: one column");
-        comment!("signal one_row: one row");
         dff_setup!(
             self,
             clock,
@@ -382,7 +376,7 @@ impl<const A: usize> Logic for Shell<A> {
             line_mirrored,
             running,
             column,
-            end,
+            span_end,
             pixel_row,
             pixel_base,
             pixel_mirrored
@@ -463,7 +457,7 @@ impl<const A: usize> Logic for Shell<A> {
             && (self.major.column.val() < self.line_far.val())
             && (self.line_near.val() < self.minor.column.val());
         self.next_column.next = self.column.q.val() + self.one.val();
-        self.span_done.next = (self.next_column.val() == self.end.q.val())
+        self.span_done.next = (self.next_column.val() == self.span_end.q.val())
             || (self.next_column.val() == self.pixel_far.val());
         self.pixel_free.next = !self.running.q.val() || (self.go.val() && self.span_done.val());
         self.taking.next =
@@ -541,7 +535,7 @@ impl<const A: usize> Logic for Shell<A> {
         if self.taking.val() {
             self.running.d.next = true;
             self.column.d.next = self.major.column.val();
-            self.end.d.next = self.minor.column.val();
+            self.span_end.d.next = self.minor.column.val();
             self.pixel_row.d.next = self.line_row.q.val();
             self.pixel_base.d.next = self.line_base.q.val();
             self.pixel_mirrored.d.next = self.line_mirrored.q.val();

@@ -60,26 +60,47 @@ pub struct QuadraticCore<const D: usize, const N: usize, const B: usize, const A
     pub busy: Signal<Out, Bit>,
     /// Pulses for one clock when `busy` falls.
     pub done: Signal<Out, Bit>,
+    /// Column of the fragment before the depth verdict.
     drawn_x: DFF<U<11>>,
+    /// Its row.
     drawn_y: DFF<U<11>>,
+    /// Its red.
     drawn_red: DFF<U<8>>,
+    /// Its green.
     drawn_green: DFF<U<8>>,
+    /// Its blue.
     drawn_blue: DFF<U<8>>,
+    /// A visible pixel is offered.
     out_valid: DFF<Bit>,
+    /// Its column.
     out_x: DFF<U<11>>,
+    /// Its row.
     out_y: DFF<U<11>>,
+    /// Its red.
     out_red: DFF<U<8>>,
+    /// Its green.
     out_green: DFF<U<8>>,
+    /// Its blue.
     out_blue: DFF<U<8>>,
+    /// Its depth.
     out_depth: DFF<U<16>>,
+    /// Busy, one clock ago.
     was_busy: DFF<Bit>,
+    /// The pipeline moves.
     go: Signal<Local, Bit>,
+    /// Anything is waiting, being drawn or being cleared.
     is_busy: Signal<Local, Bit>,
+    /// A register write is accepted.
     accept: Signal<Local, Bit>,
+    /// Register word.
     word: Signal<Local, U<4>>,
+    /// Channel mask, 0 for the shell.
     channels: Signal<Local, U<4>>,
+    /// The shell is selected.
     shell_word: Signal<Local, Bit>,
+    /// Register bus as wide as a colour word.
     bus_colour: Signal<Local, U<D>>,
+    /// Register bus as wide as a shell word.
     bus_32: Signal<Local, U<32>>,
     shell: Shell<A>,
     red_value: Quadratic2<D, 11, N>,
@@ -162,27 +183,6 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
         comment!("equation I(x, y) = T5 x^2 + T4 x y + T3 y^2 + T2 x + T1 y + T0 per channel, by forward differences");
         comment!("source Abbas 2003, chapter 7 and appendix; set-up Hast 2004, equations 3.213 to 3.233.");
         comment!("latency Five clocks from start to the first pixel; then one pixel per clock.");
-        comment!("signal drawn_x: column of the fragment before the depth verdict");
-        comment!("signal drawn_y: its row");
-        comment!("signal drawn_red: its red");
-        comment!("signal drawn_green: its green");
-        comment!("signal drawn_blue: its blue");
-        comment!("signal out_valid: a visible pixel is offered");
-        comment!("signal out_x: its column");
-        comment!("signal out_y: its row");
-        comment!("signal out_red: its red");
-        comment!("signal out_green: its green");
-        comment!("signal out_blue: its blue");
-        comment!("signal out_depth: its depth");
-        comment!("signal was_busy: busy, one clock ago");
-        comment!("signal go: the pipeline moves");
-        comment!("signal is_busy: anything is waiting, being drawn or being cleared");
-        comment!("signal accept: a register write is accepted");
-        comment!("signal word: register word");
-        comment!("signal channels: channel mask, 0 for the shell");
-        comment!("signal shell_word: the shell is selected");
-        comment!("signal bus_colour: register bus as wide as a colour word");
-        comment!("signal bus_32: register bus as wide as a shell word");
         dff_setup!(
             self,
             clock,
@@ -279,9 +279,9 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
         if self.go.val() {
             self.drawn_x.d.next = self.shell.x.val();
             self.drawn_y.d.next = self.shell.y.val();
-            self.drawn_red.d.next = self.red_byte.byte.val();
-            self.drawn_green.d.next = self.green_byte.byte.val();
-            self.drawn_blue.d.next = self.blue_byte.byte.val();
+            self.drawn_red.d.next = self.red_byte.level.val();
+            self.drawn_green.d.next = self.green_byte.level.val();
+            self.drawn_blue.d.next = self.blue_byte.level.val();
             self.out_valid.d.next = self.z_buffer.pass.val();
             self.out_x.d.next = self.drawn_x.q.val();
             self.out_y.d.next = self.drawn_y.q.val();

@@ -13,10 +13,14 @@ pub struct Saturate<const N: usize> {
     /// Colour in LSB, with half an LSB already added.
     pub value: Signal<In, Q<11, N>>,
     /// Colour as a byte.
-    pub byte: Signal<Out, U<8>>,
+    pub level: Signal<Out, U<8>>,
+    /// Integer part of the colour.
     whole: Signal<Local, Q<11, 0>>,
+    /// Integer bits above a byte.
     excess: Signal<Local, U<3>>,
+    /// Darkest byte.
     zero: Constant<U<8>>,
+    /// Brightest byte.
     full: Constant<U<8>>,
 }
 
@@ -24,7 +28,7 @@ impl<const N: usize> Default for Saturate<N> {
     fn default() -> Self {
         Self {
             value: Default::default(),
-            byte: Default::default(),
+            level: Default::default(),
             whole: Default::default(),
             excess: Default::default(),
             zero: Constant::new(U::new(0)),
@@ -38,21 +42,17 @@ impl<const N: usize> Logic for Saturate<N> {
     fn update(&mut self) {
         comment!("name saturate");
         comment!("title Clamps the integer part of a colour to a byte.");
-        comment!("equation byte = min(max(floor(value), 0), 255)");
+        comment!("equation level = min(max(floor(value), 0), 255)");
         comment!("source A six-knot colour leaves its knots by up to a third; Abbas 2003, appendix, has no clamp.");
         comment!("latency Combinational.");
-        comment!("signal whole: integer part of the colour");
-        comment!("signal excess: integer bits above a byte");
-        comment!("signal zero: darkest byte");
-        comment!("signal full: brightest byte");
         self.whole.next = signed_cast_align::<11, 0, 11, N>(self.value.val());
         self.excess.next = self.whole.val().get_bits::<3>(8);
         if self.whole.val().get_bit(11) {
-            self.byte.next = self.zero.val();
+            self.level.next = self.zero.val();
         } else if self.excess.val().any() {
-            self.byte.next = self.full.val();
+            self.level.next = self.full.val();
         } else {
-            self.byte.next = self.whole.val().get_bits::<8>(0);
+            self.level.next = self.whole.val().get_bits::<8>(0);
         }
     }
 }
@@ -76,7 +76,7 @@ mod tests {
             design.value.next = Q::from_code(code);
             assert!(simulate(&mut design, 20));
             assert_eq!(
-                design.byte.val().get(),
+                design.level.val().get(),
                 u64::from(saturate_model(code, 4)),
                 "code {code}"
             );

@@ -1,0 +1,31 @@
+//! The text of each description, for the back end: it carries the doc comments of ports, registers and wires into the
+//! Verilog, so that they are written once.
+
+/// Source text by the description's `name` remark.
+pub const SOURCES: &[(&str, &str)] = &[
+    ("constant_1", include_str!("interpolate/constant_1.rs")),
+    ("constant_2", include_str!("interpolate/constant_2.rs")),
+    ("edge_walk", include_str!("raster/edge_walk.rs")),
+    ("gouraud_core", include_str!("shade/gouraud.rs")),
+    ("linear_1", include_str!("interpolate/linear_1.rs")),
+    ("linear_2", include_str!("interpolate/linear_2.rs")),
+    ("quadratic_1", include_str!("interpolate/quadratic_1.rs")),
+    ("quadratic_2", include_str!("interpolate/quadratic_2.rs")),
+    ("quadratic_core", include_str!("shade/quadratic.rs")),
+    ("raster_shell", include_str!("raster/shell.rs")),
+    ("saturate", include_str!("shade/saturate.rs")),
+    ("z_buffer", include_str!("depth/z_buffer.rs")),
+];
+
+/// The source text of the description called `name`.
+#[must_use]
+pub fn source(name: &str) -> Option<&'static str> {
+    // A frame memory is named after its size.
+    if name.starts_with("frame_memory") {
+        return Some(include_str!("depth/frame_memory.rs"));
+    }
+    SOURCES
+        .iter()
+        .find(|(n, _)| *n == name)
+        .map(|(_, text)| *text)
+}
