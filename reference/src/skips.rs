@@ -17,6 +17,8 @@ pub const UNCOVERED: &str = "uncovered";
 pub const HIDDEN: &str = "hidden";
 /// A triangle without area, in the mesh or after snapping. Always skipped: there is nothing to draw.
 pub const DEGENERATE: &str = "degenerate";
+/// A triangle of which the near plane, the far plane or the guard band leaves nothing. Always skipped as well.
+pub const CLIPPED_AWAY: &str = "clipped-away";
 
 const NAMES: [&str; 5] = [BACK_FACE, FRUSTUM, OUTSIDE, UNCOVERED, HIDDEN];
 

@@ -7,7 +7,7 @@ use super::{Prepared, ScreenTriangle, TriangleCounts};
 use crate::raster::{area2, Viewport, Walk};
 use crate::scene::{Object, Scene, SceneError, IMAGE_LIMIT};
 use crate::shade::Surroundings;
-use crate::skips::{Skips, BACK_FACE, DEGENERATE, FRUSTUM, OUTSIDE, UNCOVERED};
+use crate::skips::{Skips, BACK_FACE, CLIPPED_AWAY, DEGENERATE, FRUSTUM, OUTSIDE, UNCOVERED};
 use glam::{DMat3, DVec3};
 use std::collections::BTreeMap;
 
@@ -148,7 +148,7 @@ impl Pass<'_> {
         });
         let mut polygon = std::mem::take(&mut self.polygon);
         let cut = clip(&Planes::guard(&self.view), vertices, &mut polygon);
-        let mut reason = (polygon.len() < 3).then_some(OUTSIDE);
+        let mut reason = (polygon.len() < 3).then_some(CLIPPED_AWAY);
         let mut drawn = false;
         for k in 2..polygon.len() {
             match self.piece([polygon[0], polygon[k - 1], polygon[k]]) {

@@ -24,8 +24,10 @@ pub fn load(path: &Path) -> Result<Mesh, MeshError> {
 }
 
 fn parse(bytes: &[u8], path: &Path) -> Result<Mesh, MeshError> {
-    let mut file =
-        gltf::Gltf::from_slice(bytes).map_err(|e| broken(format!("not readable ({e})")))?;
+    let unreadable = |e: gltf::Error| broken(format!("not readable ({e})"));
+    let unchecked = gltf::Gltf::from_slice_without_validation(bytes).map_err(unreadable)?;
+    check_attributes(&unchecked)?;
+    let mut file = gltf::Gltf::from_slice(bytes).map_err(unreadable)?;
     let blob = file.blob.take();
     let buffers = file
         .buffers()
@@ -57,6 +59,23 @@ fn parse(bytes: &[u8], path: &Path) -> Result<Mesh, MeshError> {
         todo.extend(node.children().map(|c| (c, to_root)));
     }
     Ok(mesh)
+}
+
+/// The validation of the `gltf` crate (1.4) looks up the accessors of attributes before it checks that they exist.
+fn check_attributes(file: &gltf::Gltf) -> Result<(), MeshError> {
+    let root = file.document.as_json();
+    let attributes = root
+        .meshes
+        .iter()
+        .flat_map(|m| &m.primitives)
+        .flat_map(|p| p.attributes.values());
+    match attributes
+        .map(|i| i.value())
+        .find(|i| *i >= root.accessors.len())
+    {
+        Some(i) => Err(broken(format!("accessor {i} does not exist"))),
+        None => Ok(()),
+    }
 }
 
 fn buffer(b: &gltf::Buffer<'_>, blob: Option<&[u8]>, path: &Path) -> Result<Vec<u8>, MeshError> {
@@ -181,7 +200,7 @@ fn add(
     if let Some(bad) = indices.iter().find(|i| **i >= count) {
         return Err(broken(format!("index {bad} of {count} vertices")));
     }
-    if indices.len() % 3 != 0 {
+    if !indices.len().is_multiple_of(3) {
         return Err(broken(format!(
             "{} indices, not a multiple of three",
             indices.len()

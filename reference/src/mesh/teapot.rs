@@ -81,6 +81,21 @@ fn combine(patch: &Patch, across: [f64; 4], along: [f64; 4]) -> DVec3 {
     sum
 }
 
+/// The position; a row shrunk to a point is that point for every s, to the last bit.
+fn place(patch: &Patch, across: [f64; 4], along: [f64; 4]) -> DVec3 {
+    let mut sum = DVec3::ZERO;
+    for (row, b) in patch.iter().zip(along) {
+        let point = row.iter().all(|c| *c == row[0]);
+        let inner = if point {
+            row[0]
+        } else {
+            combine(&[*row, *row, *row, *row], across, [1.0, 0.0, 0.0, 0.0])
+        };
+        sum += inner * b;
+    }
+    sum
+}
+
 /// Position and outward unit normal at (s, t).
 fn evaluate(patch: &Patch, s: f64, t: f64) -> (DVec3, DVec3) {
     let (bs, bt) = (bernstein(s), bernstein(t));
@@ -91,7 +106,7 @@ fn evaluate(patch: &Patch, s: f64, t: f64) -> (DVec3, DVec3) {
         across = combine(patch, ds, dt) * if t < 0.5 { 1.0 } else { -1.0 };
     }
     (
-        combine(patch, bs, bt),
+        place(patch, bs, bt),
         across.cross(along).normalize_or_zero(),
     )
 }

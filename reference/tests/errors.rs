@@ -1,0 +1,228 @@
+//! What is said about scenes that cannot be used, word for word, and that nothing else than an error ever comes of them.
+
+mod common;
+
+use rand::rngs::StdRng;
+use rand::{Rng, SeedableRng};
+use shadegate_reference::{scene, Prepared, Skips};
+use std::path::{Path, PathBuf};
+
+const GOOD: &str = r#"[image]
+width = 64
+height = 48
+
+[camera]
+eye = [0, 0, 5]
+target = [0, 0, 0]
+fov = 40
+
+[[light]]
+kind = "directional"
+direction = [0, 0, -1]
+
+[[material]]
+name = "clay"
+
+[[object]]
+shape = "sphere"
+material = "clay"
+"#;
+
+/// A folder of its own for one test.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path =
+            Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        std::fs::write(self.0.join(name), text).unwrap();
+    }
+
+    /// The error of a scene, the folder taken off.
+    fn error(&self, text: &str) -> String {
+        self.write("s.toml", text);
+        let e = scene::load(&self.0.join("s.toml")).unwrap_err().to_string();
+        assert!(!e.contains('\n'), "one line: {e}");
+        e.replace(&format!("{}/", self.0.display()), "")
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // A folder left behind does no harm.
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+#[test]
+fn the_good_scene_is_good() {
+    let f = Folder::new("good");
+    f.write("s.toml", GOOD);
+    let s = scene::load(&f.0.join("s.toml")).unwrap();
+    assert_eq!(
+        (s.name.as_str(), s.image.width, s.objects.len()),
+        ("s", 64, 1)
+    );
+}
+
+#[test]
+fn every_error_names_file_line_field_and_what_would_do() {
+    let f = Folder::new("errors");
+    // What to replace in the good scene, by what, and the error.
+    let cases = [
+        ("width = 64", "widht = 64", "s.toml:2: image.widht: unknown key; the nearest known key is 'width' of width, height, background"),
+        ("[image]", "[imago]", "s.toml:1: imago: unknown key; the nearest known key is 'image' of image, camera, light, material, object, render"),
+        ("fov = 40", "fow = 40", "s.toml:8: camera.fow: unknown key; the nearest known key is 'fov' of eye, target, up, fov, height, near, far"),
+        ("name = \"clay\"", "name = \"clay\"\nshinyness = 3", "s.toml:16: material[0].shinyness: unknown key; the nearest known key is 'shininess' of name, brdf, ambient, diffuse, specular, shininess"),
+        ("width = 64\n", "", "s.toml:1: image.width: missing; expected an integer from 1 to 16384"),
+        ("width = 64", "width = 0", "s.toml:2: image.width: is 0; expected an integer from 1 to 16384"),
+        ("width = 64", "width = 16385", "s.toml:2: image.width: is 16385; expected an integer from 1 to 16384"),
+        ("width = 64", "width = \"64\"", "s.toml:2: image.width: is a string; expected an integer from 1 to 16384"),
+        ("height = 48", "height = 48\nbackground = [1, 2, 256]", "s.toml:4: image.background: has 256; expected [r, g, b], each an integer from 0 to 255"),
+        ("eye = [0, 0, 5]", "eye = [0, nan, 5]", "s.toml:6: camera.eye: is not a finite number below 1e12; expected three numbers [x, y, z]"),
+        ("eye = [0, 0, 5]", "eye = [0, 0]", "s.toml:6: camera.eye: has 2 elements; expected three numbers [x, y, z]"),
+        ("eye = [0, 0, 5]", "eye = [0, 0, 0]", "s.toml:7: camera.target: is where the eye is; expected a point apart from camera.eye"),
+        ("fov = 40", "fov = 180", "s.toml:8: camera.fov: is 180; expected degrees above 0 and below 180"),
+        ("fov = 40", "fov = 40\nheight = 2", "s.toml:9: camera.height: given together with fov; expected one of fov and height"),
+        ("fov = 40\n", "", "s.toml:5: camera.fov: missing; expected fov (perspective, degrees) or height (orthographic)"),
+        ("fov = 40", "fov = 40\nnear = 3\nfar = 3", "s.toml:9: camera.near: is 3, not below far = 3; expected near < far"),
+        ("fov = 40", "fov = 40\nup = [0, 0, 2]", "s.toml:9: camera.up: is parallel to the view; expected a direction across target - eye"),
+        ("direction = [0, 0, -1]", "direction = [0, 0, 0]", "s.toml:12: light[0].direction: has no length; expected the direction in which the light travels"),
+        ("kind = \"directional\"", "kind = \"spot\"", "s.toml:11: light[0].kind: unknown 'spot'; the nearest is 'point' of directional, point"),
+        ("kind = \"directional\"", "kind = \"point\"", "s.toml:12: light[0].direction: does not belong to a point light; expected it only with the other kind, not 'point'"),
+        ("name = \"clay\"", "name = \"clay\"\nbrdf = \"phong\"", "s.toml:16: material[0].brdf: unknown 'phong'; the nearest is 'blinn' of lambert, blinn"),
+        ("name = \"clay\"", "name = \"clay\"\ndiffuse = [0.1, -0.2, 0]", "s.toml:16: material[0].diffuse: has -0.2; expected a number or [r, g, b], each from 0 to 100"),
+        ("material = \"clay\"", "material = \"caly\"", "s.toml:19: object[0].material: unknown 'caly'; the nearest is 'clay' of clay"),
+        ("shape = \"sphere\"", "shape = \"spere\"", "s.toml:18: object[0].shape: unknown 'spere'; the nearest is 'sphere' of sphere, torus, plane, box, teapot"),
+        ("shape = \"sphere\"", "shape = \"sphere\"\nslices = 2", "s.toml:19: object[0].slices: is 2; expected an integer from 3 to 2048"),
+        ("shape = \"sphere\"", "shape = \"sphere\"\nmajor = 2", "s.toml:19: object[0].major: does not belong to sphere; expected only slices, stacks, radius"),
+        ("shape = \"sphere\"", "shape = \"sphere\"\nscale = 0", "s.toml:19: object[0].scale: has 0; expected a number or [x, y, z], each of size 1e-6 to 1e6"),
+        ("shape = \"sphere\"", "mesh = \"none.obj\"", "s.toml:18: object[0].mesh: none.obj: cannot be read (No such file or directory (os error 2)); expected a readable OBJ file"),
+        ("shape = \"sphere\"", "mesh = \"none.stl\"", "s.toml:18: object[0].mesh: 'none.stl' has no known ending; expected a file ending in .obj, .gltf or .glb"),
+        ("[[light]]", "[render]\nmethod = \"exakt\"\n[[light]]", "s.toml:11: render.method: unknown 'exakt'; the nearest is 'exact' of exact, flat, gouraud, quadratic"),
+        ("[[object]]\nshape = \"sphere\"\nmaterial = \"clay\"", "", "s.toml:1: object: missing; expected at least one table [[object]]"),
+    ];
+    for (from, to, want) in cases {
+        assert!(GOOD.contains(from), "{from}");
+        assert_eq!(f.error(&GOOD.replacen(from, to, 1)), want);
+    }
+    let e = f.error("width == 3");
+    assert!(
+        e.starts_with("s.toml:1: scene: ") && e.ends_with("; expected TOML 1.0"),
+        "{e}"
+    );
+}
+
+#[test]
+fn broken_meshes_are_named_with_their_line() {
+    let f = Folder::new("meshes");
+    let scene = |file: &str| GOOD.replacen("shape = \"sphere\"", &format!("mesh = \"{file}\""), 1);
+    f.write("nan.obj", "v 0 0 0\nv 1 0 0\nv 0 NaN 0\nf 1 2 3\n");
+    assert_eq!(
+        f.error(&scene("nan.obj")),
+        "s.toml:18: object[0].mesh: nan.obj:3: vertex has 'NaN'; expected three finite numbers"
+    );
+    f.write("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+    assert_eq!(
+        f.error(&scene("index.obj")),
+        "s.toml:18: object[0].mesh: index.obj:4: vertex 9 does not exist; expected 1 to 3 or -1 to -3"
+    );
+    f.write("empty.obj", "# nothing\n");
+    assert_eq!(
+        f.error(&scene("empty.obj")),
+        "s.toml:18: object[0].mesh: empty.obj: the mesh has no triangles; expected at least one"
+    );
+    f.write("broken.gltf", "{\"asset\":");
+    let e = f.error(&scene("broken.gltf"));
+    assert!(
+        e.starts_with("s.toml:18: object[0].mesh: broken.gltf: not readable ("),
+        "{e}"
+    );
+    assert!(e.ends_with("); expected glTF 2.0 with triangles"), "{e}");
+}
+
+#[test]
+fn a_missing_scene_and_a_wrong_size() {
+    let e = scene::load(Path::new("nowhere.toml"))
+        .unwrap_err()
+        .to_string();
+    assert_eq!(
+        e,
+        "nowhere.toml:1: scene: cannot be read (No such file or directory (os error 2)); expected a readable TOML file"
+    );
+    let s = common::load("gem");
+    let e = Prepared::new(&s, Some((0, 5)), &Skips::all())
+        .unwrap_err()
+        .to_string();
+    assert!(
+        e.ends_with("gem.toml:1: size: is 0x5; expected 1x1 to 16384x16384"),
+        "{e}"
+    );
+}
+
+/// Cut and garbled scenes give an error or a scene that can be prepared, never a panic.
+#[test]
+fn damaged_text_never_panics() {
+    let f = Folder::new("damage");
+    let file = f.0.join("s.toml");
+    let mut rng = StdRng::seed_from_u64(7);
+    let mut good: Vec<String> = common::SCENES
+        .iter()
+        .filter(|n| !["teapot", "gem", "rings"].contains(n))
+        .map(|n| std::fs::read_to_string(common::path(n)).unwrap())
+        .collect();
+    good.push(GOOD.to_owned());
+    let attempt = |bytes: &[u8]| {
+        std::fs::write(&file, bytes).unwrap();
+        if let Ok(s) = scene::load(&file) {
+            let small = Some((16, 12));
+            let _ = Prepared::new(&s, small, &Skips::all());
+            let _ = Prepared::new(&s, small, &Skips::none());
+        }
+    };
+    for cut in 0..GOOD.len() {
+        attempt(&GOOD.as_bytes()[..cut]);
+    }
+    let pieces = [
+        "-",
+        "0",
+        "9e99",
+        "nan",
+        "inf",
+        "[",
+        "]",
+        "\"",
+        "\n",
+        "=",
+        "1e-300",
+        "[[object]]",
+        "4294967296",
+        "é",
+    ];
+    for _ in 0..3000 {
+        let mut text = good[rng.random_range(0..good.len())].clone().into_bytes();
+        for _ in 0..rng.random_range(1..4) {
+            let at = rng.random_range(0..text.len());
+            match rng.random_range(0..3) {
+                0 => text[at] = rng.random(),
+                1 => {
+                    let piece = pieces[rng.random_range(0..pieces.len())].as_bytes();
+                    text.splice(
+                        at..(at + rng.random_range(0..3)).min(text.len()),
+                        piece.iter().copied(),
+                    );
+                }
+                _ => {
+                    let end = (at + rng.random_range(1..20)).min(text.len());
+                    text.drain(at..end);
+                }
+            }
+        }
+        attempt(&text);
+    }
+}
