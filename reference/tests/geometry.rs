@@ -167,3 +167,54 @@ fn exact_frames_agree_with_casting_rays_at_the_unsnapped_scene() {
         );
     }
 }
+
+#[test]
+fn a_floor_under_any_camera_has_no_holes_and_no_overlaps() {
+    use rand::rngs::StdRng;
+    use rand::{Rng, SeedableRng};
+    let mut rng = StdRng::seed_from_u64(11);
+    let mut scene = load("two-lights");
+    scene.objects.truncate(1);
+    scene.objects[0].transform = DMat4::from_scale(DVec3::new(40.0, 1.0, 40.0));
+    let mut clipped = 0;
+    for _ in 0..300 {
+        let mut place = |r: f64| DVec3::new(rng.random_range(-r..r), 0.0, rng.random_range(-r..r));
+        let mut c = scene.camera;
+        c.eye = place(3.0);
+        c.target = place(3.0);
+        c.eye.y = rng.random_range(0.02..2.0);
+        c.target.y = rng.random_range(-1.0..1.5);
+        c.near = rng.random_range(0.005..0.5);
+        scene.camera = c;
+        let (w, h) = (48u32, 36u32);
+        let p = Prepared::new(&scene, Some((w, h)), &Skips::all()).unwrap();
+        clipped += p.counts.clipped;
+        let view = (c.target - c.eye).normalize();
+        let right = view.cross(c.up).normalize();
+        let up = right.cross(view);
+        let k = 30f64.to_radians().tan();
+        for y in 0..h as i32 {
+            for x in 0..w as i32 {
+                let n = p
+                    .triangles
+                    .iter()
+                    .filter(|t| covers(t.position, x, y))
+                    .count();
+                assert!(n <= 1, "{n} triangles at {x} {y}");
+                let sx = (f64::from(x) + 0.5 - 24.0) / 18.0;
+                let sy = (18.0 - f64::from(y) - 0.5) / 18.0;
+                let ray = view + right * (sx * k) + up * (sy * k);
+                let d = -c.eye.y / ray.y;
+                let hit = c.eye + ray * d;
+                let inside =
+                    d > c.near * 1.1 && d < c.far && hit.x.abs() < 38.0 && hit.z.abs() < 38.0;
+                if inside {
+                    assert_eq!(n, 1, "a hole at {x} {y}, {hit}");
+                } else if d < 0.0 {
+                    assert_eq!(n, 0, "behind the eye at {x} {y}");
+                }
+            }
+        }
+    }
+    assert!(clipped > 1000, "the case is not tested: {clipped}");
+}

@@ -6,6 +6,7 @@ use super::{
     Brdf, Camera, Image, Light, LightKind, Material, Projection, Render, Scene, SceneError,
     IMAGE_LIMIT,
 };
+use crate::mesh::TRIANGLE_LIMIT;
 use crate::method::Method;
 use glam::DVec3;
 use std::path::Path;
@@ -57,6 +58,14 @@ pub(super) fn parse(path: &Path, text: &str) -> Result<Scene, SceneError> {
         .collect::<Result<Vec<_>, _>>()?;
     if objects.is_empty() {
         return Err(root.missing("object", "at least one table [[object]]"));
+    }
+    let total: usize = objects.iter().map(|o| o.mesh.triangles.len()).sum();
+    if total > TRIANGLE_LIMIT {
+        return Err(root.error(
+            "object",
+            &format!("{total} triangles in all"),
+            &format!("expected at most {TRIANGLE_LIMIT}"),
+        ));
     }
     let method = match root.table("render", &["method"])? {
         Some(t) => t.word("method", &Method::ALL.map(Method::name))?,
