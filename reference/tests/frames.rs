@@ -138,32 +138,42 @@ fn the_renderer_draws_what_the_definitions_say() {
     }
 }
 
+/// Largest and RMS errors in LSB of Gouraud and quadratic on the spheres, at three exponents: what was measured when
+/// this was written plus some room. The literature study has, for single triangles with vertex normals 10°, 20°, 30°
+/// apart and n = 20, at most 11.7, 42, 70 (Gouraud) and 0.7, 5.4, 14.4 (quadratic); these spheres have 16°, 21°, 30°
+/// along the equator.
 #[test]
 fn methods_keep_their_distance_from_the_truth() {
-    // Largest and RMS error at n = 20. Normals of neighbouring vertices of these spheres are up to 30°, 21° and 16°
-    // apart; the literature study measured 42 and 5.3 LSB for Gouraud and quadratic at 20°, 12 and 0.9 at 10° (for
-    // ks = 0.5 in place of 0.45 here).
     let bounds = [
-        ("sphere-168", (45, 5.5), (16, 1.5)),
-        ("sphere-374", (34, 3.2), (6, 0.6)),
-        ("sphere-690", (22, 1.9), (4, 0.4)),
+        ("sphere-168", 5.0, (23, 4.0), (8, 0.6)),
+        ("sphere-168", 20.0, (45, 5.4), (16, 1.4)),
+        ("sphere-168", 50.0, (61, 5.4), (40, 2.5)),
+        ("sphere-374", 5.0, (14, 2.0), (5, 0.35)),
+        ("sphere-374", 20.0, (33, 3.1), (6, 0.55)),
+        ("sphere-374", 50.0, (58, 4.3), (18, 1.0)),
+        ("sphere-690", 5.0, (9, 1.2), (4, 0.25)),
+        ("sphere-690", 20.0, (22, 1.8), (4, 0.32)),
+        ("sphere-690", 50.0, (44, 2.7), (8, 0.48)),
     ];
-    for (name, g, q) in bounds {
-        let p = prepare(name, None);
+    for (name, n, g, q) in bounds {
+        let mut scene = load(name);
+        scene.materials[0].shininess = n;
+        let p = Prepared::new(&scene, None, &Skips::all()).unwrap();
         let truth = draw(&p, Method::Exact);
         let (flat_max, flat_rms) = difference(&truth, &draw(&p, Method::Flat));
         let (g_max, g_rms) = difference(&truth, &draw(&p, Method::Gouraud));
         let (q_max, q_rms) = difference(&truth, &draw(&p, Method::Quadratic));
+        println!("{name} n={n}: flat {flat_max} {flat_rms:.2}, gouraud {g_max} {g_rms:.2}, quadratic {q_max} {q_rms:.2}");
         assert!(
             g_max <= g.0 && g_rms <= g.1,
-            "{name} gouraud {g_max} {g_rms}"
+            "{name} n={n} gouraud {g_max} {g_rms}"
         );
         assert!(
             q_max <= q.0 && q_rms <= q.1,
-            "{name} quadratic {q_max} {q_rms}"
+            "{name} n={n} quadratic {q_max} {q_rms}"
         );
-        assert!(q_rms * 3.5 < g_rms && g_rms * 1.8 < flat_rms, "{name}");
-        assert!(q_max < g_max && g_max < flat_max, "{name}");
+        assert!(q_rms * 2.0 < g_rms && g_rms < flat_rms, "{name} n={n}");
+        assert!(q_max < g_max && g_max < flat_max, "{name} n={n}");
     }
 }
 
