@@ -72,6 +72,12 @@ pub struct Prepared {
     pub counts: TriangleCounts,
     /// Triangles skipped, by reason.
     pub skipped: BTreeMap<&'static str, u64>,
+    /// For every triangle, numbers of its vertices: corners with equal numbers are one vertex of one mesh, with the
+    /// same attributes. [`UNSHARED`] where clipping or a missing normal made the corner the triangle's own.
+    pub(crate) vertices: Vec<[u32; 3]>,
     /// Lights, materials and viewer.
     pub(crate) surroundings: Surroundings,
 }
+
+/// The vertex number of a corner that belongs to one triangle only.
+pub(crate) const UNSHARED: u32 = u32::MAX;

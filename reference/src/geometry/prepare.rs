@@ -3,7 +3,7 @@
 use super::camera::View;
 use super::clip::{clip, Planes, Vertex};
 use super::cull::outside_frustum;
-use super::{Prepared, ScreenTriangle, TriangleCounts};
+use super::{Prepared, ScreenTriangle, TriangleCounts, UNSHARED};
 use crate::raster::{area2, Viewport, Walk};
 use crate::scene::{Object, Scene, SceneError, IMAGE_LIMIT};
 use crate::shade::Surroundings;
@@ -18,8 +18,10 @@ struct Pass<'a> {
     view: View,
     viewport: Viewport,
     skips: &'a Skips,
-    front: Vec<ScreenTriangle>,
-    back: Vec<ScreenTriangle>,
+    front: Vec<(ScreenTriangle, [u32; 3])>,
+    back: Vec<(ScreenTriangle, [u32; 3])>,
+    /// Vertices of the objects before this one.
+    vertices: usize,
     /// Least and greatest nearness of what is visible whatever is skipped: front faces that cover a pixel.
     range: [f64; 2],
     counts: TriangleCounts,
@@ -49,6 +51,7 @@ impl Prepared {
             skips,
             front: Vec::new(),
             back: Vec::new(),
+            vertices: 0,
             range: [f64::INFINITY, f64::NEG_INFINITY],
             counts: TriangleCounts::default(),
             skipped: BTreeMap::new(),
@@ -57,9 +60,9 @@ impl Prepared {
         for (i, object) in scene.objects.iter().enumerate() {
             pass.object(i, object);
         }
-        let mut triangles = pass.front;
-        // Behind the front faces in order, so that of equal depths the front wins.
-        triangles.append(&mut pass.back);
+        // Back faces behind the front faces in order, so that of equal depths the front wins.
+        let all = pass.front.into_iter().chain(pass.back);
+        let (mut triangles, vertices): (Vec<_>, Vec<_>) = all.unzip();
         fit_depth(&mut triangles, pass.range);
         pass.counts.drawn = triangles.len() as u64;
         Ok(Self {
@@ -70,6 +73,7 @@ impl Prepared {
             triangles,
             counts: pass.counts,
             skipped: pass.skipped,
+            vertices,
             surroundings: Surroundings::new(scene),
         })
     }
@@ -109,28 +113,38 @@ impl Pass<'_> {
             .collect();
         for (face, t) in mesh.triangles.iter().enumerate() {
             let corner = if mirrored { [t[0], t[2], t[1]] } else { *t }.map(|i| i as usize);
+            let number = |i: usize| {
+                let own = normals[i] == DVec3::ZERO;
+                let n = u32::try_from(self.vertices + i).unwrap_or(UNSHARED);
+                if own {
+                    UNSHARED
+                } else {
+                    n
+                }
+            };
+            let names = (index, object.material, face);
+            let numbers = corner.map(number);
             let reason = self.triangle(
-                index,
-                object.material,
-                face,
+                names,
                 corner.map(|i| world[i]),
                 corner.map(|i| normals[i]),
+                numbers,
             );
             if let Some(reason) = reason {
                 self.counts.culled += 1;
                 *self.skipped.entry(reason).or_default() += 1;
             }
         }
+        self.vertices += mesh.positions.len();
     }
 
     /// Draws what is visible of a triangle, or says why nothing is.
     fn triangle(
         &mut self,
-        object: usize,
-        material: usize,
-        face: usize,
+        (object, material, face): (usize, usize, usize),
         world: [DVec3; 3],
         mut normal: [DVec3; 3],
+        numbers: [u32; 3],
     ) -> Option<Reason> {
         let flat = (world[1] - world[0]).cross(world[2] - world[0]);
         if flat == DVec3::ZERO || !flat.is_finite() {
@@ -149,6 +163,7 @@ impl Pass<'_> {
         let mut polygon = std::mem::take(&mut self.polygon);
         let cut = clip(&Planes::guard(&self.view), vertices, &mut polygon);
         let mut reason = (polygon.len() < 3).then_some(CLIPPED_AWAY);
+        let numbers = if cut { [UNSHARED; 3] } else { numbers };
         let mut drawn = false;
         for k in 2..polygon.len() {
             match self.piece([polygon[0], polygon[k - 1], polygon[k]]) {
@@ -161,9 +176,9 @@ impl Pass<'_> {
                         }
                     }
                     if back {
-                        self.back.push(t);
+                        self.back.push((t, numbers));
                     } else {
-                        self.front.push(t);
+                        self.front.push((t, numbers));
                     }
                     drawn = true;
                 }

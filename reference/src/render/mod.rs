@@ -3,14 +3,15 @@
 
 mod band;
 mod frame;
+mod shared;
 pub mod span;
 
 pub use frame::{Frame, FrameError};
 
-use crate::geometry::{Prepared, ScreenTriangle};
+use crate::geometry::Prepared;
 use crate::method::Method;
 use crate::raster::{Viewport, Walk};
-use crate::shade::{flat, gouraud, quadratic, to_byte};
+use crate::shade::{flat, to_byte};
 use crate::skips::{self, Skips};
 use band::{Band, Colour, Ready, Tally};
 use rayon::prelude::*;
@@ -62,16 +63,26 @@ pub fn render(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, Render
     }
 }
 
-fn colour(p: &Prepared, method: Method, t: &ScreenTriangle) -> Colour {
+/// How the pixels of every triangle get their colour.
+fn colours(p: &Prepared, method: Method) -> Vec<Colour> {
+    let all = &p.triangles;
     match method {
-        Method::Exact => Colour::Exact,
-        Method::Flat => Colour::Constant(flat::knot(p, t).map(to_byte)),
-        Method::Gouraud => {
-            Colour::Differences(Interpolant::linear(t.position, &gouraud::knots(p, t)))
-        }
-        Method::Quadratic => {
-            Colour::Differences(Interpolant::quadratic(t.position, &quadratic::knots(p, t)))
-        }
+        Method::Exact => vec![Colour::Exact; all.len()],
+        Method::Flat => all
+            .par_iter()
+            .with_min_len(64)
+            .map(|t| Colour::Constant(flat::knot(p, t).map(to_byte)))
+            .collect(),
+        Method::Gouraud => shared::linear(p)
+            .iter()
+            .zip(all)
+            .map(|(k, t)| Colour::Differences(Interpolant::linear(t.position, k)))
+            .collect(),
+        Method::Quadratic => shared::square(p)
+            .iter()
+            .zip(all)
+            .map(|(k, t)| Colour::Differences(Interpolant::quadratic(t.position, k)))
+            .collect(),
     }
 }
 
@@ -83,14 +94,14 @@ fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats)
     };
     let ready: Vec<Ready<'_>> = p
         .triangles
-        .par_iter()
-        .with_min_len(64)
-        .filter_map(|t| {
+        .iter()
+        .zip(colours(p, method))
+        .filter_map(|(t, colour)| {
             let walk = Walk::new(t.position, viewport)?;
             Some(Ready {
                 triangle: t,
                 walk,
-                colour: colour(p, method, t),
+                colour,
             })
         })
         .collect();

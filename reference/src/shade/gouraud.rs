@@ -11,7 +11,8 @@ pub fn knots(p: &Prepared, t: &ScreenTriangle) -> [[f64; 3]; 3] {
     [0, 1, 2].map(|i| vertex(p, t, i))
 }
 
-pub(super) fn vertex(p: &Prepared, t: &ScreenTriangle, i: usize) -> [f64; 3] {
+/// RGB at vertex `i`.
+pub(crate) fn vertex(p: &Prepared, t: &ScreenTriangle, i: usize) -> [f64; 3] {
     super::knot(
         p.surroundings
             .shade(t.material, t.world[i], unit_normal(t, t.normal[i])),

@@ -28,9 +28,12 @@ fn knot(colour: DVec3) -> [f64; 3] {
     colour.to_array().map(|c| c.clamp(0.0, KNOT_MAX))
 }
 
+/// Blended normals with a squared length up to this have cancelled.
+const CANCELLED: f64 = 1e-16;
+
 /// The unit vector of a blended normal; the normal of the face when opposite normals cancelled.
 fn unit_normal(t: &ScreenTriangle, n: DVec3) -> DVec3 {
-    if n.length_squared() > 1e-16 {
+    if n.length_squared() > CANCELLED {
         n.normalize()
     } else {
         t.face_normal()

@@ -16,14 +16,36 @@ pub const EDGES: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
 #[must_use]
 pub fn knots(p: &Prepared, t: &ScreenTriangle) -> [[f64; 3]; 6] {
     let v = gouraud::knots(p, t);
-    let [a, b, c] = EDGES.map(|(i, j)| {
-        let sum = t.inv_w[i] + t.inv_w[j];
-        let (qi, qj) = (t.inv_w[i] / sum, t.inv_w[j] / sum);
-        let position = t.world[i] * qi + t.world[j] * qj;
-        let normal = unit_normal(t, t.normal[i] * qi + t.normal[j] * qj);
-        super::knot(p.surroundings.shade(t.material, position, normal))
-    });
-    [v[0], v[1], v[2], a, b, c]
+    [
+        v[0],
+        v[1],
+        v[2],
+        middle(p, t, 0),
+        middle(p, t, 1),
+        middle(p, t, 2),
+    ]
+}
+
+/// RGB at the middle of edge `k` of [`EDGES`].
+pub(crate) fn middle(p: &Prepared, t: &ScreenTriangle, k: usize) -> [f64; 3] {
+    let (i, j) = EDGES[k];
+    let (qi, qj) = middle_weights(t, k);
+    let position = t.world[i] * qi + t.world[j] * qj;
+    let normal = unit_normal(t, t.normal[i] * qi + t.normal[j] * qj);
+    super::knot(p.surroundings.shade(t.material, position, normal))
+}
+
+fn middle_weights(t: &ScreenTriangle, k: usize) -> (f64, f64) {
+    let (i, j) = EDGES[k];
+    let sum = t.inv_w[i] + t.inv_w[j];
+    (t.inv_w[i] / sum, t.inv_w[j] / sum)
+}
+
+/// Whether the normals at the ends of edge `k` cancel, so that its knot takes the normal of the face and is not shared.
+pub(crate) fn cancels(t: &ScreenTriangle, k: usize) -> bool {
+    let (i, j) = EDGES[k];
+    let (qi, qj) = middle_weights(t, k);
+    (t.normal[i] * qi + t.normal[j] * qj).length_squared() <= super::CANCELLED
 }
 
 /// RGB at the centre of pixel (`x`, `y`), LSB, not limited.

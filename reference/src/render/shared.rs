@@ -1,0 +1,164 @@
+//! Knots that triangles share are shaded once: a vertex of a closed mesh belongs to about six triangles and an edge to
+//! two, so six knots for each of T triangles are about 2T shadings in place of 6T. The knots are the same bits as
+//! without sharing, because what decides them is compared before one is taken over.
+
+use crate::geometry::{Prepared, ScreenTriangle, UNSHARED};
+use crate::shade::quadratic::EDGES;
+use crate::shade::{gouraud, quadratic};
+use rayon::prelude::*;
+use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
+
+/// Where a shared knot is first met: triangle, and corner or edge.
+type Place = (usize, usize);
+
+/// A multiplicative hash of a pair of vertex numbers; the keys are small, trusted integers.
+#[derive(Default)]
+struct Pair(u64);
+
+impl Hasher for Pair {
+    fn write(&mut self, bytes: &[u8]) {
+        for b in bytes {
+            self.write_u64(u64::from(*b));
+        }
+    }
+
+    fn write_u64(&mut self, v: u64) {
+        self.0 = (self.0 ^ v).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        self.0 ^= self.0 >> 32;
+    }
+
+    fn finish(&self) -> u64 {
+        self.0
+    }
+}
+
+/// Knots by slot, and the slot of every corner or edge of every triangle.
+struct Table {
+    slots: Vec<[u32; 3]>,
+    knots: Vec<[f64; 3]>,
+}
+
+/// Everything a vertex knot depends on.
+fn same_vertex(a: &ScreenTriangle, i: usize, b: &ScreenTriangle, j: usize) -> bool {
+    a.material == b.material
+        && a.world[i] == b.world[j]
+        && a.normal[i] == b.normal[j]
+        && a.inv_w[i] == b.inv_w[j]
+}
+
+fn same_edge(a: &ScreenTriangle, k: usize, b: &ScreenTriangle, m: usize) -> bool {
+    let ((i, j), (x, y)) = (EDGES[k], EDGES[m]);
+    let straight = same_vertex(a, i, b, x) && same_vertex(a, j, b, y);
+    let crossed = same_vertex(a, i, b, y) && same_vertex(a, j, b, x);
+    (straight || crossed) && !quadratic::cancels(a, k)
+}
+
+/// Gives out slots: `key` names what may be shared (none: not at all), `same` makes sure, `shade` fills.
+fn table(
+    p: &Prepared,
+    key: impl Fn(usize, usize) -> Option<u64>,
+    same: impl Fn(Place, Place) -> bool,
+    shade: impl Fn(Place) -> [f64; 3] + Sync,
+) -> Table {
+    let mut places: Vec<Place> = Vec::new();
+    let mut seen: HashMap<u64, u32, BuildHasherDefault<Pair>> =
+        HashMap::with_capacity_and_hasher(2 * p.triangles.len(), BuildHasherDefault::default());
+    let mut slots = Vec::with_capacity(p.triangles.len());
+    for t in 0..p.triangles.len() {
+        slots.push([0, 1, 2].map(|i| {
+            let new = places.len() as u32;
+            if let Some(key) = key(t, i) {
+                let slot = *seen.entry(key).or_insert(new);
+                if slot != new && same((t, i), places[slot as usize]) {
+                    return slot;
+                }
+            }
+            places.push((t, i));
+            new
+        }));
+    }
+    let knots = places
+        .par_iter()
+        .with_min_len(64)
+        .map(|place| shade(*place))
+        .collect();
+    Table { slots, knots }
+}
+
+impl Table {
+    fn of(&self, t: usize) -> [[f64; 3]; 3] {
+        self.slots[t].map(|s| self.knots[s as usize])
+    }
+}
+
+fn vertices(p: &Prepared) -> Table {
+    let number = |t: usize, i: usize| p.vertices.get(t).map(|v| v[i]).filter(|n| *n != UNSHARED);
+    table(
+        p,
+        |t, i| number(t, i).map(u64::from),
+        |(t, i), (u, j)| same_vertex(&p.triangles[t], i, &p.triangles[u], j),
+        |(t, i)| gouraud::vertex(p, &p.triangles[t], i),
+    )
+}
+
+/// [`gouraud::knots`] of every triangle.
+pub(super) fn linear(p: &Prepared) -> Vec<[[f64; 3]; 3]> {
+    let v = vertices(p);
+    (0..p.triangles.len()).map(|t| v.of(t)).collect()
+}
+
+/// [`quadratic::knots`] of every triangle.
+pub(super) fn square(p: &Prepared) -> Vec<[[f64; 3]; 6]> {
+    let v = vertices(p);
+    let number = |t: usize, i: usize| p.vertices.get(t).map(|v| v[i]).filter(|n| *n != UNSHARED);
+    let e = table(
+        p,
+        |t, k| {
+            let (a, b) = (number(t, EDGES[k].0)?, number(t, EDGES[k].1)?);
+            Some(u64::from(a.min(b)) << 32 | u64::from(a.max(b)))
+        },
+        |(t, k), (u, m)| same_edge(&p.triangles[t], k, &p.triangles[u], m),
+        |(t, k)| quadratic::middle(p, &p.triangles[t], k),
+    );
+    (0..p.triangles.len())
+        .map(|t| {
+            let ([a, b, c], [d, e, f]) = (v.of(t), e.of(t));
+            [a, b, c, d, e, f]
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{scene, Skips};
+    use std::path::Path;
+
+    #[test]
+    fn shared_knots_are_the_same_bits_and_few() {
+        for name in ["sphere-690", "two-lights", "teapot", "gem", "rings"] {
+            let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../scenes/{name}.toml"));
+            let scene = scene::load(&file).unwrap();
+            let mut p = Prepared::new(&scene, None, &Skips::all()).unwrap();
+            for _ in 0..2 {
+                for (t, knots) in p.triangles.iter().zip(square(&p)) {
+                    assert_eq!(knots, quadratic::knots(&p, t), "{name}");
+                }
+                for (t, knots) in p.triangles.iter().zip(linear(&p)) {
+                    assert_eq!(knots, gouraud::knots(&p, t), "{name}");
+                }
+                // Again with triangles out of order: numbers that no longer fit must do no harm.
+                p.triangles.reverse();
+            }
+            if name == "sphere-690" {
+                let v = vertices(&p);
+                assert!(
+                    v.knots.len() * 4 < p.triangles.len() * 3,
+                    "{}",
+                    v.knots.len()
+                );
+            }
+        }
+    }
+}
