@@ -107,7 +107,9 @@ impl<const A: usize> Logic for FrameMemory<A> {
     }
 }
 
-crate::clocked!(FrameMemory<A>, const A: usize);
+crate::clocked!(FrameMemory<A>, const A: usize;
+    inputs read, read_address, write, write_address, write_data;
+    outputs read_data);
 
 /// Integer model of [`FrameMemory`].
 #[derive(Clone, Debug)]

@@ -8,8 +8,9 @@
 
 use super::frame_memory::{FrameMemory, FrameMemoryModel};
 use crate::format::{mask, U};
+use crate::simulate::{Quiet, Register};
 use rust_hdl_core::prelude::*;
-use rust_hdl_widgets::prelude::*;
+use rust_hdl_widgets::dff_setup;
 
 /// `A` is the width of a frame address. Latency: the verdict one clock after the fragment.
 #[derive(LogicBlock)]
@@ -35,24 +36,24 @@ pub struct ZBuffer<const A: usize> {
     /// The memory is being cleared.
     pub clearing: Signal<Out, Bit>,
     /// A fragment waits for its verdict.
-    valid: DFF<Bit>,
+    valid: Register<Bit>,
     /// Its frame address.
-    held_address: DFF<U<A>>,
+    held_address: Register<U<A>>,
     /// Its depth.
-    held_depth: DFF<U<16>>,
+    held_depth: Register<U<16>>,
     /// The word it read was written in the same clock.
-    forward: DFF<Bit>,
+    forward: Register<Bit>,
     /// The depth that was written.
-    forward_depth: DFF<U<16>>,
+    forward_depth: Register<U<16>>,
     /// The memory is being cleared.
-    sweeping: DFF<Bit>,
+    sweeping: Register<Bit>,
     /// Word to clear.
-    sweep_address: DFF<U<A>>,
+    sweep_address: Register<U<A>>,
     /// Depth to compare with.
     stored: Signal<Local, U<16>>,
     /// The fragment is nearer than all before.
     visible: Signal<Local, Bit>,
-    memory: FrameMemory<A>,
+    memory: Quiet<FrameMemory<A>>,
     /// Last word of the memory.
     last_address: Constant<U<A>>,
     /// Address step.
@@ -85,7 +86,7 @@ impl<const A: usize> ZBuffer<A> {
             sweep_address: Default::default(),
             stored: Default::default(),
             visible: Default::default(),
-            memory: FrameMemory::new(pixels),
+            memory: FrameMemory::new(pixels).into(),
             last_address: Constant::new(U::new(pixels as u64 - 1)),
             one_word: Constant::new(U::new(1)),
             empty: Constant::new(U::new(0)),
@@ -151,7 +152,9 @@ impl<const A: usize> Logic for ZBuffer<A> {
     }
 }
 
-crate::clocked!(ZBuffer<A>, const A: usize);
+crate::clocked!(ZBuffer<A>, const A: usize;
+    inputs go, clear, fragment, address, depth;
+    outputs pass, waiting, waiting_depth, clearing);
 
 /// What the z-buffer sees in one clock.
 #[derive(Clone, Copy, Debug, Default)]

@@ -1,8 +1,9 @@
 //! A constant along a span: f(k) = c (Abbas 2003, section 2.1.1).
 
 use crate::format::Q;
+use crate::simulate::Register;
 use rust_hdl_core::prelude::*;
-use rust_hdl_widgets::prelude::*;
+use rust_hdl_widgets::dff_setup;
 
 /// Holds the value of a span. Latency: one clock from `load`.
 #[derive(LogicBlock, Default)]
@@ -16,7 +17,7 @@ pub struct Constant1<const M: usize, const N: usize> {
     /// Value of the current span.
     pub value: Signal<Out, Q<M, N>>,
     /// Value of the current span.
-    held: DFF<Q<M, N>>,
+    held: Register<Q<M, N>>,
 }
 
 impl<const M: usize, const N: usize> Logic for Constant1<M, N> {
@@ -35,7 +36,9 @@ impl<const M: usize, const N: usize> Logic for Constant1<M, N> {
     }
 }
 
-crate::clocked!(Constant1<M, N>, const M: usize, const N: usize);
+crate::clocked!(Constant1<M, N>, const M: usize, const N: usize;
+    inputs load, start;
+    outputs value);
 
 /// Integer model of [`Constant1`]: codes of one width.
 #[derive(Clone, Copy, Debug, Default)]

@@ -2,8 +2,9 @@
 
 use super::constant_1::{Constant1, Constant1Model};
 use crate::format::{signed_cast_bits, wrap, Q, U};
+use crate::simulate::{Quiet, Register};
 use rust_hdl_core::prelude::*;
-use rust_hdl_widgets::prelude::*;
+use rust_hdl_widgets::dff_setup;
 
 /// Words of the register file.
 pub const WORDS: usize = 1;
@@ -26,10 +27,10 @@ pub struct Constant2<const D: usize, const M: usize, const N: usize> {
     /// Register bus as a word of this format.
     bus: Signal<Local, Q<M, N>>,
     /// Value of the next triangle.
-    word_value: DFF<Q<M, N>>,
+    word_value: Register<Q<M, N>>,
     /// Value of the current triangle.
-    line_value: DFF<Q<M, N>>,
-    span: Constant1<M, N>,
+    line_value: Register<Q<M, N>>,
+    span: Quiet<Constant1<M, N>>,
 }
 
 impl<const D: usize, const M: usize, const N: usize> Logic for Constant2<D, M, N> {
@@ -55,7 +56,9 @@ impl<const D: usize, const M: usize, const N: usize> Logic for Constant2<D, M, N
     }
 }
 
-crate::clocked!(Constant2<D, M, N>, const D: usize, const M: usize, const N: usize);
+crate::clocked!(Constant2<D, M, N>, const D: usize, const M: usize, const N: usize;
+    inputs write, data, load, take;
+    outputs value);
 
 /// Integer model of [`Constant2`].
 #[derive(Clone, Copy, Debug, Default)]

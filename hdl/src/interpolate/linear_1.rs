@@ -3,8 +3,9 @@
 //! Each step adds d once, so after k steps the error is e(c) + k·e(d), e being the rounding of a word.
 
 use crate::format::{wrap, Q};
+use crate::simulate::Register;
 use rust_hdl_core::prelude::*;
-use rust_hdl_widgets::prelude::*;
+use rust_hdl_widgets::dff_setup;
 
 /// One accumulator. Latency: one clock from `load`; one value per clock while `run`.
 #[derive(LogicBlock, Default)]
@@ -22,9 +23,9 @@ pub struct Linear1<const M: usize, const N: usize> {
     /// Value at the current pixel.
     pub value: Signal<Out, Q<M, N>>,
     /// Value at the current pixel.
-    total: DFF<Q<M, N>>,
+    total: Register<Q<M, N>>,
     /// Difference from pixel to pixel.
-    first: DFF<Q<M, N>>,
+    first: Register<Q<M, N>>,
 }
 
 impl<const M: usize, const N: usize> Logic for Linear1<M, N> {
@@ -46,7 +47,9 @@ impl<const M: usize, const N: usize> Logic for Linear1<M, N> {
     }
 }
 
-crate::clocked!(Linear1<M, N>, const M: usize, const N: usize);
+crate::clocked!(Linear1<M, N>, const M: usize, const N: usize;
+    inputs load, run, start, step;
+    outputs value);
 
 /// Integer model of [`Linear1`].
 #[derive(Clone, Copy, Debug, Default)]

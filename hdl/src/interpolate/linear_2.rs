@@ -8,8 +8,9 @@
 
 use super::linear_1::{Linear1, Linear1Model};
 use crate::format::{signed_cast_bits, wrap, Q, U};
+use crate::simulate::{Quiet, Register};
 use rust_hdl_core::prelude::*;
-use rust_hdl_widgets::prelude::*;
+use rust_hdl_widgets::dff_setup;
 
 /// Words of the register file.
 pub const WORDS: usize = 4;
@@ -41,22 +42,22 @@ pub struct Linear2<const D: usize, const M: usize, const N: usize> {
     /// Register bus as a word of this format.
     bus: Signal<Local, Q<M, N>>,
     /// Next triangle, value at the first span start.
-    word_value: DFF<Q<M, N>>,
+    word_value: Register<Q<M, N>>,
     /// Next triangle, difference along the pixel step.
-    word_d_pixel: DFF<Q<M, N>>,
+    word_d_pixel: Register<Q<M, N>>,
     /// Next triangle, difference along the line step.
-    word_d_line: DFF<Q<M, N>>,
+    word_d_line: Register<Q<M, N>>,
     /// Next triangle, difference along the carrying line step.
-    word_d_line_carry: DFF<Q<M, N>>,
+    word_d_line_carry: Register<Q<M, N>>,
     /// Value at the start of the next span.
-    value_line: DFF<Q<M, N>>,
+    value_line: Register<Q<M, N>>,
     /// Difference along the pixel step.
-    d_pixel: DFF<Q<M, N>>,
+    d_pixel: Register<Q<M, N>>,
     /// Difference along the line step.
-    d_line: DFF<Q<M, N>>,
+    d_line: Register<Q<M, N>>,
     /// Difference along the carrying line step.
-    d_line_carry: DFF<Q<M, N>>,
-    span: Linear1<M, N>,
+    d_line_carry: Register<Q<M, N>>,
+    span: Quiet<Linear1<M, N>>,
 }
 
 impl<const D: usize, const M: usize, const N: usize> Logic for Linear2<D, M, N> {
@@ -117,7 +118,9 @@ impl<const D: usize, const M: usize, const N: usize> Logic for Linear2<D, M, N> 
     }
 }
 
-crate::clocked!(Linear2<D, M, N>, const D: usize, const M: usize, const N: usize);
+crate::clocked!(Linear2<D, M, N>, const D: usize, const M: usize, const N: usize;
+    inputs write, word, data, load, step, carry, take, run;
+    outputs value);
 
 /// Controls of a two-variate interpolant in one clock, shared by all channels of a core.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

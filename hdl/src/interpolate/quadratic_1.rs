@@ -4,8 +4,9 @@
 //! (Abbas 2.9 prints the sum of 1..M as M(M − 1)/2; it is M(M + 1)/2.)
 
 use crate::format::{wrap, Q};
+use crate::simulate::Register;
 use rust_hdl_core::prelude::*;
-use rust_hdl_widgets::prelude::*;
+use rust_hdl_widgets::dff_setup;
 
 /// Two accumulators. Latency: one clock from `load`; one value per clock while `run`.
 #[derive(LogicBlock, Default)]
@@ -25,11 +26,11 @@ pub struct Quadratic1<const M: usize, const N: usize> {
     /// Value at the current pixel.
     pub value: Signal<Out, Q<M, N>>,
     /// Value at the current pixel.
-    total: DFF<Q<M, N>>,
+    total: Register<Q<M, N>>,
     /// First difference at the current pixel.
-    first: DFF<Q<M, N>>,
+    first: Register<Q<M, N>>,
     /// Second difference.
-    second: DFF<Q<M, N>>,
+    second: Register<Q<M, N>>,
 }
 
 impl<const M: usize, const N: usize> Logic for Quadratic1<M, N> {
@@ -53,7 +54,9 @@ impl<const M: usize, const N: usize> Logic for Quadratic1<M, N> {
     }
 }
 
-crate::clocked!(Quadratic1<M, N>, const M: usize, const N: usize);
+crate::clocked!(Quadratic1<M, N>, const M: usize, const N: usize;
+    inputs load, run, start, step, bend;
+    outputs value);
 
 /// Integer model of [`Quadratic1`].
 #[derive(Clone, Copy, Debug, Default)]

@@ -14,8 +14,9 @@
 use super::linear_2::Controls;
 use super::quadratic_1::{Quadratic1, Quadratic1Model};
 use crate::format::{signed_cast_bits, wrap, Q, U};
+use crate::simulate::{Quiet, Register};
 use rust_hdl_core::prelude::*;
-use rust_hdl_widgets::prelude::*;
+use rust_hdl_widgets::dff_setup;
 
 /// Words of the register file.
 pub const WORDS: usize = 10;
@@ -47,46 +48,46 @@ pub struct Quadratic2<const D: usize, const M: usize, const N: usize> {
     /// Register bus as a word of this format.
     bus: Signal<Local, Q<M, N>>,
     /// Next triangle, value at the first span start.
-    word_value: DFF<Q<M, N>>,
+    word_value: Register<Q<M, N>>,
     /// Next triangle, difference along the pixel step p.
-    word_d_pixel: DFF<Q<M, N>>,
+    word_d_pixel: Register<Q<M, N>>,
     /// Next triangle, difference along the line step s.
-    word_d_line: DFF<Q<M, N>>,
+    word_d_line: Register<Q<M, N>>,
     /// Next triangle, difference along the carrying line step t.
-    word_d_line_carry: DFF<Q<M, N>>,
+    word_d_line_carry: Register<Q<M, N>>,
     /// Next triangle, second difference p,p.
-    word_dd_pixel: DFF<Q<M, N>>,
+    word_dd_pixel: Register<Q<M, N>>,
     /// Next triangle, second difference p,s.
-    word_dd_pixel_line: DFF<Q<M, N>>,
+    word_dd_pixel_line: Register<Q<M, N>>,
     /// Next triangle, second difference p,t.
-    word_dd_pixel_carry: DFF<Q<M, N>>,
+    word_dd_pixel_carry: Register<Q<M, N>>,
     /// Next triangle, second difference s,s.
-    word_dd_line: DFF<Q<M, N>>,
+    word_dd_line: Register<Q<M, N>>,
     /// Next triangle, second difference s,t.
-    word_dd_line_carry: DFF<Q<M, N>>,
+    word_dd_line_carry: Register<Q<M, N>>,
     /// Next triangle, second difference t,t.
-    word_dd_carry: DFF<Q<M, N>>,
+    word_dd_carry: Register<Q<M, N>>,
     /// Value at the start of the next span.
-    value_line: DFF<Q<M, N>>,
+    value_line: Register<Q<M, N>>,
     /// Difference along p at the span start.
-    d_pixel: DFF<Q<M, N>>,
+    d_pixel: Register<Q<M, N>>,
     /// Difference along s at the span start.
-    d_line: DFF<Q<M, N>>,
+    d_line: Register<Q<M, N>>,
     /// Difference along t at the span start.
-    d_line_carry: DFF<Q<M, N>>,
+    d_line_carry: Register<Q<M, N>>,
     /// Second difference p,p.
-    dd_pixel: DFF<Q<M, N>>,
+    dd_pixel: Register<Q<M, N>>,
     /// Second difference p,s.
-    dd_pixel_line: DFF<Q<M, N>>,
+    dd_pixel_line: Register<Q<M, N>>,
     /// Second difference p,t.
-    dd_pixel_carry: DFF<Q<M, N>>,
+    dd_pixel_carry: Register<Q<M, N>>,
     /// Second difference s,s.
-    dd_line: DFF<Q<M, N>>,
+    dd_line: Register<Q<M, N>>,
     /// Second difference s,t.
-    dd_line_carry: DFF<Q<M, N>>,
+    dd_line_carry: Register<Q<M, N>>,
     /// Second difference t,t.
-    dd_carry: DFF<Q<M, N>>,
-    span: Quadratic1<M, N>,
+    dd_carry: Register<Q<M, N>>,
+    span: Quiet<Quadratic1<M, N>>,
 }
 
 impl<const D: usize, const M: usize, const N: usize> Logic for Quadratic2<D, M, N> {
@@ -190,7 +191,9 @@ impl<const D: usize, const M: usize, const N: usize> Logic for Quadratic2<D, M, 
     }
 }
 
-crate::clocked!(Quadratic2<D, M, N>, const D: usize, const M: usize, const N: usize);
+crate::clocked!(Quadratic2<D, M, N>, const D: usize, const M: usize, const N: usize;
+    inputs write, word, data, load, step, carry, take, run;
+    outputs value);
 
 /// Integer model of [`Quadratic2`].
 #[derive(Clone, Copy, Debug, Default)]

@@ -6,8 +6,9 @@
 
 use crate::format::{wrap, Q};
 use crate::raster::{COLUMN_BITS, ERROR_BITS};
+use crate::simulate::Register;
 use rust_hdl_core::prelude::*;
-use rust_hdl_widgets::prelude::*;
+use rust_hdl_widgets::dff_setup;
 
 /// Latency: one clock from `load`; one row per clock while `step`.
 #[derive(LogicBlock)]
@@ -33,15 +34,15 @@ pub struct EdgeWalk {
     /// The next step moves one column more.
     pub carry: Signal<Out, Bit>,
     /// Column of the edge at the current row.
-    position: DFF<Q<11, 0>>,
+    position: Register<Q<11, 0>>,
     /// Biased error term, the next step carries when it is not negative.
-    error: DFF<Q<19, 0>>,
+    error: Register<Q<19, 0>>,
     /// Whole columns per row.
-    slope: DFF<Q<11, 0>>,
+    slope: Register<Q<11, 0>>,
     /// Error step without carry, dx mod dy.
-    error_up: DFF<Q<19, 0>>,
+    error_up: Register<Q<19, 0>>,
     /// Error step with carry, dx mod dy - dy.
-    error_down: DFF<Q<19, 0>>,
+    error_down: Register<Q<19, 0>>,
     /// The next step carries.
     carries: Signal<Local, Bit>,
     /// Columns of a carrying step.
@@ -106,7 +107,9 @@ impl Logic for EdgeWalk {
     }
 }
 
-crate::clocked!(EdgeWalk);
+crate::clocked!(EdgeWalk;
+    inputs load, step, first_column, first_error, whole, up, down;
+    outputs column, carry);
 
 /// Integer model of [`EdgeWalk`], and the words of one edge.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -28,8 +28,9 @@
 
 use super::edge_walk::EdgeWalk;
 use crate::format::{signed_cast_bits, unsigned_cast_integer, Q, U};
+use crate::simulate::{Quiet, Register};
 use rust_hdl_core::prelude::*;
-use rust_hdl_widgets::prelude::*;
+use rust_hdl_widgets::dff_setup;
 
 pub use super::model::{ShellInputs, ShellModel, ShellOutputs};
 
@@ -78,83 +79,83 @@ pub struct Shell<const A: usize> {
     /// A triangle is waiting or being walked.
     pub busy: Signal<Out, Bit>,
     /// The register words hold a complete triangle.
-    pending: DFF<Bit>,
+    pending: Register<Bit>,
     /// Columns of the frame.
-    frame_width: DFF<Q<11, 0>>,
+    frame_width: Register<Q<11, 0>>,
     /// Next triangle, rows.
-    word_rows: DFF<U<11>>,
+    word_rows: Register<U<11>>,
     /// Next triangle, rows of the upper minor edge.
-    word_upper_rows: DFF<U<11>>,
+    word_upper_rows: Register<U<11>>,
     /// Next triangle, columns are complemented.
-    word_mirrored: DFF<Bit>,
+    word_mirrored: Register<Bit>,
     /// Next triangle, first row.
-    word_row: DFF<U<11>>,
+    word_row: Register<U<11>>,
     /// Next triangle, address of column 0 of the first row.
-    word_base: DFF<U<A>>,
+    word_base: Register<U<A>>,
     /// Next triangle, major edge, column at the first row.
-    word_major_column: DFF<Q<11, 0>>,
+    word_major_column: Register<Q<11, 0>>,
     /// Next triangle, major edge, biased error term at the first row.
-    word_major_error: DFF<Q<19, 0>>,
+    word_major_error: Register<Q<19, 0>>,
     /// Next triangle, major edge, whole columns per row.
-    word_major_whole: DFF<Q<11, 0>>,
+    word_major_whole: Register<Q<11, 0>>,
     /// Next triangle, major edge, error step without carry.
-    word_major_up: DFF<Q<19, 0>>,
+    word_major_up: Register<Q<19, 0>>,
     /// Next triangle, major edge, error step with carry.
-    word_major_down: DFF<Q<19, 0>>,
+    word_major_down: Register<Q<19, 0>>,
     /// Next triangle, upper minor edge, column at the first row.
-    word_upper_column: DFF<Q<11, 0>>,
+    word_upper_column: Register<Q<11, 0>>,
     /// Next triangle, upper minor edge, biased error term at the first row.
-    word_upper_error: DFF<Q<19, 0>>,
+    word_upper_error: Register<Q<19, 0>>,
     /// Next triangle, upper minor edge, whole columns per row.
-    word_upper_whole: DFF<Q<11, 0>>,
+    word_upper_whole: Register<Q<11, 0>>,
     /// Next triangle, upper minor edge, error step without carry.
-    word_upper_up: DFF<Q<19, 0>>,
+    word_upper_up: Register<Q<19, 0>>,
     /// Next triangle, upper minor edge, error step with carry.
-    word_upper_down: DFF<Q<19, 0>>,
+    word_upper_down: Register<Q<19, 0>>,
     /// Next triangle, lower minor edge, column at the first row.
-    word_lower_column: DFF<Q<11, 0>>,
+    word_lower_column: Register<Q<11, 0>>,
     /// Next triangle, lower minor edge, biased error term at the first row.
-    word_lower_error: DFF<Q<19, 0>>,
+    word_lower_error: Register<Q<19, 0>>,
     /// Next triangle, lower minor edge, whole columns per row.
-    word_lower_whole: DFF<Q<11, 0>>,
+    word_lower_whole: Register<Q<11, 0>>,
     /// Next triangle, lower minor edge, error step without carry.
-    word_lower_up: DFF<Q<19, 0>>,
+    word_lower_up: Register<Q<19, 0>>,
     /// Next triangle, lower minor edge, error step with carry.
-    word_lower_down: DFF<Q<19, 0>>,
+    word_lower_down: Register<Q<19, 0>>,
     /// Current triangle, lower minor edge, column at the first row.
-    lower_column: DFF<Q<11, 0>>,
+    lower_column: Register<Q<11, 0>>,
     /// Current triangle, lower minor edge, biased error term at the first row.
-    lower_error: DFF<Q<19, 0>>,
+    lower_error: Register<Q<19, 0>>,
     /// Current triangle, lower minor edge, whole columns per row.
-    lower_whole: DFF<Q<11, 0>>,
+    lower_whole: Register<Q<11, 0>>,
     /// Current triangle, lower minor edge, error step without carry.
-    lower_up: DFF<Q<19, 0>>,
+    lower_up: Register<Q<19, 0>>,
     /// Current triangle, lower minor edge, error step with carry.
-    lower_down: DFF<Q<19, 0>>,
+    lower_down: Register<Q<19, 0>>,
     /// The line registers hold a span.
-    line_active: DFF<Bit>,
+    line_active: Register<Bit>,
     /// Rows from this one on.
-    rows_left: DFF<U<11>>,
+    rows_left: Register<U<11>>,
     /// Rows from this one on that end at the upper minor edge.
-    upper_left: DFF<U<11>>,
+    upper_left: Register<U<11>>,
     /// Row of the next span.
-    line_row: DFF<U<11>>,
+    line_row: Register<U<11>>,
     /// Address of column 0 of that row.
-    line_base: DFF<U<A>>,
+    line_base: Register<U<A>>,
     /// Columns of the next span are complemented.
-    line_mirrored: DFF<Bit>,
+    line_mirrored: Register<Bit>,
     /// The pixel registers stand on a pixel.
-    running: DFF<Bit>,
+    running: Register<Bit>,
     /// Walk column of the pixel.
-    column: DFF<Q<11, 0>>,
+    column: Register<Q<11, 0>>,
     /// One past the last walk column of the span.
-    span_end: DFF<Q<11, 0>>,
+    span_end: Register<Q<11, 0>>,
     /// Row of the pixel.
-    pixel_row: DFF<U<11>>,
+    pixel_row: Register<U<11>>,
     /// Address of column 0 of that row.
-    pixel_base: DFF<U<A>>,
+    pixel_base: Register<U<A>>,
     /// Columns of the span are complemented.
-    pixel_mirrored: DFF<Bit>,
+    pixel_mirrored: Register<Bit>,
     /// The write is accepted.
     accept: Signal<Local, Bit>,
     /// Upper part of the register bus.
@@ -200,17 +201,17 @@ pub struct Shell<const A: usize> {
     /// The lower minor edge takes over.
     switching: Signal<Local, Bit>,
     /// The minor edge takes new words.
-    minor_load: Signal<Local, Bit>,
+    reload: Signal<Local, Bit>,
     /// Minor edge to take, column at the first row.
-    minor_column: Signal<Local, Q<11, 0>>,
+    reload_column: Signal<Local, Q<11, 0>>,
     /// Minor edge to take, biased error term at the first row.
-    minor_error: Signal<Local, Q<19, 0>>,
+    reload_error: Signal<Local, Q<19, 0>>,
     /// Minor edge to take, whole columns per row.
-    minor_whole: Signal<Local, Q<11, 0>>,
+    reload_whole: Signal<Local, Q<11, 0>>,
     /// Minor edge to take, error step without carry.
-    minor_up: Signal<Local, Q<19, 0>>,
+    reload_up: Signal<Local, Q<19, 0>>,
     /// Minor edge to take, error step with carry.
-    minor_down: Signal<Local, Q<19, 0>>,
+    reload_down: Signal<Local, Q<19, 0>>,
     /// The pixel registers move on.
     running_now: Signal<Local, Bit>,
     /// Column on the screen.
@@ -219,8 +220,8 @@ pub struct Shell<const A: usize> {
     screen_address: Signal<Local, U<A>>,
     /// Frame width, as an address step.
     width_address: Signal<Local, U<A>>,
-    major: EdgeWalk,
-    minor: EdgeWalk,
+    major: Quiet<EdgeWalk>,
+    minor: Quiet<EdgeWalk>,
     /// Column 0.
     zero: Constant<Q<11, 0>>,
     /// One column.
@@ -311,12 +312,12 @@ impl<const A: usize> Default for Shell<A> {
             loading: Default::default(),
             stepping: Default::default(),
             switching: Default::default(),
-            minor_load: Default::default(),
-            minor_column: Default::default(),
-            minor_error: Default::default(),
-            minor_whole: Default::default(),
-            minor_up: Default::default(),
-            minor_down: Default::default(),
+            reload: Default::default(),
+            reload_column: Default::default(),
+            reload_error: Default::default(),
+            reload_whole: Default::default(),
+            reload_up: Default::default(),
+            reload_down: Default::default(),
             running_now: Default::default(),
             screen_column: Default::default(),
             screen_address: Default::default(),
@@ -510,27 +511,27 @@ impl<const A: usize> Logic for Shell<A> {
         self.major.up.next = self.word_major_up.q.val();
         self.major.down.next = self.word_major_down.q.val();
 
-        self.minor_load.next = self.loading.val() || self.switching.val();
-        self.minor_column.next = self.word_upper_column.q.val();
-        self.minor_error.next = self.word_upper_error.q.val();
-        self.minor_whole.next = self.word_upper_whole.q.val();
-        self.minor_up.next = self.word_upper_up.q.val();
-        self.minor_down.next = self.word_upper_down.q.val();
+        self.reload.next = self.loading.val() || self.switching.val();
+        self.reload_column.next = self.word_upper_column.q.val();
+        self.reload_error.next = self.word_upper_error.q.val();
+        self.reload_whole.next = self.word_upper_whole.q.val();
+        self.reload_up.next = self.word_upper_up.q.val();
+        self.reload_down.next = self.word_upper_down.q.val();
         if self.switching.val() {
-            self.minor_column.next = self.lower_column.q.val();
-            self.minor_error.next = self.lower_error.q.val();
-            self.minor_whole.next = self.lower_whole.q.val();
-            self.minor_up.next = self.lower_up.q.val();
-            self.minor_down.next = self.lower_down.q.val();
+            self.reload_column.next = self.lower_column.q.val();
+            self.reload_error.next = self.lower_error.q.val();
+            self.reload_whole.next = self.lower_whole.q.val();
+            self.reload_up.next = self.lower_up.q.val();
+            self.reload_down.next = self.lower_down.q.val();
         }
         self.minor.clock.next = self.clock.val();
-        self.minor.load.next = self.minor_load.val();
+        self.minor.load.next = self.reload.val();
         self.minor.step.next = self.stepping.val();
-        self.minor.first_column.next = self.minor_column.val();
-        self.minor.first_error.next = self.minor_error.val();
-        self.minor.whole.next = self.minor_whole.val();
-        self.minor.up.next = self.minor_up.val();
-        self.minor.down.next = self.minor_down.val();
+        self.minor.first_column.next = self.reload_column.val();
+        self.minor.first_error.next = self.reload_error.val();
+        self.minor.whole.next = self.reload_whole.val();
+        self.minor.up.next = self.reload_up.val();
+        self.minor.down.next = self.reload_down.val();
 
         if self.taking.val() {
             self.running.d.next = true;
@@ -564,8 +565,6 @@ impl<const A: usize> Logic for Shell<A> {
     }
 }
 
-impl<const A: usize> crate::simulate::Clocked for Shell<A> {
-    fn clock_input(&mut self) -> &mut Signal<In, Clock> {
-        &mut self.clock
-    }
-}
+crate::clocked!(Shell<A>, const A: usize;
+    inputs write, word, data, start, hold, go;
+    outputs load_ready, load, step, carry, take, run, fragment, x, y, address, busy);

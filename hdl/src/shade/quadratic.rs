@@ -16,8 +16,9 @@ use crate::format::{bit_cast_u, unsigned_cast_integer, U};
 use crate::interpolate::linear_2::Linear2;
 use crate::interpolate::quadratic_2::Quadratic2;
 use crate::raster::shell::Shell;
+use crate::simulate::{Quiet, Register};
 use rust_hdl_core::prelude::*;
-use rust_hdl_widgets::prelude::*;
+use rust_hdl_widgets::dff_setup;
 
 /// `D` = 12 + `N`: width of a colour word; `N`: its fraction bits; `B`: width of the register bus, max(D, 32);
 /// `A`: width of a frame address.
@@ -61,31 +62,31 @@ pub struct QuadraticCore<const D: usize, const N: usize, const B: usize, const A
     /// Pulses for one clock when `busy` falls.
     pub done: Signal<Out, Bit>,
     /// Column of the fragment before the depth verdict.
-    drawn_x: DFF<U<11>>,
+    drawn_x: Register<U<11>>,
     /// Its row.
-    drawn_y: DFF<U<11>>,
+    drawn_y: Register<U<11>>,
     /// Its red.
-    drawn_red: DFF<U<8>>,
+    drawn_red: Register<U<8>>,
     /// Its green.
-    drawn_green: DFF<U<8>>,
+    drawn_green: Register<U<8>>,
     /// Its blue.
-    drawn_blue: DFF<U<8>>,
+    drawn_blue: Register<U<8>>,
     /// A visible pixel is offered.
-    out_valid: DFF<Bit>,
+    out_valid: Register<Bit>,
     /// Its column.
-    out_x: DFF<U<11>>,
+    out_x: Register<U<11>>,
     /// Its row.
-    out_y: DFF<U<11>>,
+    out_y: Register<U<11>>,
     /// Its red.
-    out_red: DFF<U<8>>,
+    out_red: Register<U<8>>,
     /// Its green.
-    out_green: DFF<U<8>>,
+    out_green: Register<U<8>>,
     /// Its blue.
-    out_blue: DFF<U<8>>,
+    out_blue: Register<U<8>>,
     /// Its depth.
-    out_depth: DFF<U<16>>,
+    out_depth: Register<U<16>>,
     /// Busy, one clock ago.
-    was_busy: DFF<Bit>,
+    was_busy: Register<Bit>,
     /// The pipeline moves.
     go: Signal<Local, Bit>,
     /// Anything is waiting, being drawn or being cleared.
@@ -97,20 +98,20 @@ pub struct QuadraticCore<const D: usize, const N: usize, const B: usize, const A
     /// Channel mask, 0 for the shell.
     channels: Signal<Local, U<4>>,
     /// The shell is selected.
-    shell_word: Signal<Local, Bit>,
+    selects_shell: Signal<Local, Bit>,
     /// Register bus as wide as a colour word.
     bus_colour: Signal<Local, U<D>>,
     /// Register bus as wide as a shell word.
     bus_32: Signal<Local, U<32>>,
-    shell: Shell<A>,
-    red_value: Quadratic2<D, 11, N>,
-    green_value: Quadratic2<D, 11, N>,
-    blue_value: Quadratic2<D, 11, N>,
-    depth_value: Linear2<32, 16, 15>,
-    red_byte: Saturate<N>,
-    green_byte: Saturate<N>,
-    blue_byte: Saturate<N>,
-    z_buffer: ZBuffer<A>,
+    shell: Quiet<Shell<A>>,
+    red_value: Quiet<Quadratic2<D, 11, N>>,
+    green_value: Quiet<Quadratic2<D, 11, N>>,
+    blue_value: Quiet<Quadratic2<D, 11, N>>,
+    depth_value: Quiet<Linear2<32, 16, 15>>,
+    red_byte: Quiet<Saturate<N>>,
+    green_byte: Quiet<Saturate<N>>,
+    blue_byte: Quiet<Saturate<N>>,
+    z_buffer: Quiet<ZBuffer<A>>,
 }
 
 impl<const D: usize, const N: usize, const B: usize, const A: usize> QuadraticCore<D, N, B, A> {
@@ -157,7 +158,7 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> QuadraticCo
             accept: Default::default(),
             word: Default::default(),
             channels: Default::default(),
-            shell_word: Default::default(),
+            selects_shell: Default::default(),
             bus_colour: Default::default(),
             bus_32: Default::default(),
             shell: Default::default(),
@@ -168,7 +169,7 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> QuadraticCo
             red_byte: Default::default(),
             green_byte: Default::default(),
             blue_byte: Default::default(),
-            z_buffer: ZBuffer::new(pixels),
+            z_buffer: ZBuffer::new(pixels).into(),
         }
     }
 }
@@ -213,12 +214,12 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
         self.accept.next = self.write.val() && self.shell.load_ready.val();
         self.word.next = self.select.val().get_bits::<4>(0);
         self.channels.next = self.select.val().get_bits::<4>(4);
-        self.shell_word.next = !self.channels.val().any();
+        self.selects_shell.next = !self.channels.val().any();
         self.bus_32.next = bit_cast_u::<32, B>(self.data.val());
         self.bus_colour.next = bit_cast_u::<D, B>(self.data.val());
 
         self.shell.clock.next = self.clock.val();
-        self.shell.write.next = self.accept.val() && self.shell_word.val();
+        self.shell.write.next = self.accept.val() && self.selects_shell.val();
         self.shell.word.next = self.word.val();
         self.shell.data.next = self.bus_32.val();
         self.shell.start.next = self.start.val();
@@ -306,10 +307,6 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
     }
 }
 
-impl<const D: usize, const N: usize, const B: usize, const A: usize> crate::simulate::Clocked
-    for QuadraticCore<D, N, B, A>
-{
-    fn clock_input(&mut self) -> &mut Signal<In, Clock> {
-        &mut self.clock
-    }
-}
+crate::clocked!(QuadraticCore<D, N, B, A>, const D: usize, const N: usize, const B: usize, const A: usize;
+    inputs write, select, data, start, clear, ready;
+    outputs load_ready, valid, x, y, red, green, blue, depth, busy, done);

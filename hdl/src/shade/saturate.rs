@@ -57,6 +57,10 @@ impl<const N: usize> Logic for Saturate<N> {
     }
 }
 
+crate::ports!(Saturate<N>, const N: usize;
+    inputs value;
+    outputs level);
+
 /// Integer model of [`Saturate`]: `code` has `fraction_bits`.
 #[must_use]
 pub fn saturate_model(code: i64, fraction_bits: usize) -> u8 {

@@ -1,0 +1,215 @@
+//! A host for whole cores: turns triangles and polynomials into legal register words, writes them, collects pixels.
+#![allow(dead_code)]
+
+use shadegate_hdl::shade::device::{Core, CoreSimulator};
+use shadegate_hdl::shade::model::{CoreInputs, CoreOutputs, Order};
+use shadegate_reference::raster::{EdgeDda, Point, Viewport, Walk};
+
+/// A polynomial over the frame in integer codes: c + a·x + b·y + (d·x² + e·x·y + f·y²).
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Polynomial(pub [i64; 6]);
+
+impl Polynomial {
+    /// A constant.
+    pub fn constant(c: i64) -> Self {
+        Self([c, 0, 0, 0, 0, 0])
+    }
+
+    /// Its code at a pixel.
+    pub fn at(&self, x: i64, y: i64) -> i64 {
+        let [c, a, b, d, e, f] = self.0;
+        c + a * x + b * y + d * x * x + e * x * y + f * y * y
+    }
+
+    /// The ten register words from (x, y) along the pixel step and the two line steps; a plane uses the first four.
+    fn words(&self, x: i64, y: i64, steps: [(i64, i64); 3]) -> [i64; 10] {
+        let sum = |a: (i64, i64), b: (i64, i64)| (a.0 + b.0, a.1 + b.1);
+        let f = |s: (i64, i64)| self.at(x + s.0, y + s.1);
+        let d = |s| f(s) - f((0, 0));
+        let dd = |s, t| f(sum(s, t)) - f(s) - f(t) + f((0, 0));
+        let [p, s, t] = steps;
+        let second = [dd(p, p), dd(p, s), dd(p, t), dd(s, s), dd(s, t), dd(t, t)];
+        let mut words = [f((0, 0)), d(p), d(s), d(t), 0, 0, 0, 0, 0, 0];
+        words[4..].copy_from_slice(&second);
+        words
+    }
+}
+
+/// A triangle with what is interpolated over it.
+#[derive(Clone, Copy, Debug)]
+pub struct Triangle {
+    /// Corners in 1/256 pixel.
+    pub corners: [Point; 3],
+    /// Red, green, blue in codes of the core's colour format.
+    pub colour: [Polynomial; 3],
+    /// Depth in codes of 2^−15.
+    pub depth: Polynomial,
+}
+
+impl Triangle {
+    /// A triangle of one colour and depth; corners in pixels.
+    pub fn flat(corners: [(f64, f64); 3], depth: u16) -> Self {
+        Self {
+            corners: corners.map(|(x, y)| Point::snap(x, y).unwrap()),
+            colour: [Polynomial::default(); 3],
+            depth: Polynomial::constant(i64::from(depth) << 15),
+        }
+    }
+
+    fn walk(&self, size: Viewport) -> Option<Walk> {
+        Walk::new(self.corners, size)
+    }
+
+    /// The register writes (select, data); none when no row is crossed.
+    pub fn writes(&self, order: Order, size: Viewport) -> Vec<(u8, u64)> {
+        let Some(w) = self.walk(size) else {
+            return vec![];
+        };
+        let upper = w.minor[usize::from(w.upper_rows == 0)];
+        let first = u64::from(w.first_row as u32);
+        let mut shell = vec![
+            u64::from(w.mirrored) << 22 | u64::from(w.upper_rows) << 11 | u64::from(w.rows),
+            (first * u64::from(size.width)) << 11 | first,
+        ];
+        for e in [w.major, upper, w.minor[1]] {
+            shell.extend(edge_words(&e));
+        }
+        let mut writes: Vec<(u8, u64)> = (0..).zip(shell).collect();
+        let side = if w.mirrored { -1 } else { 1 };
+        let column = i64::from(w.major.column);
+        let x = if w.mirrored { !column } else { column };
+        let whole = i64::from(w.major.whole);
+        let steps = [(side, 0), (side * whole, 1), (side * (whole + 1), 1)];
+        let channels = [self.colour[0], self.colour[1], self.colour[2], self.depth];
+        for (channel, polynomial) in channels.iter().enumerate() {
+            let words = polynomial.words(x, i64::from(w.first_row), steps);
+            let count = if order == Order::Quadratic && channel < 3 {
+                10
+            } else {
+                4
+            };
+            let select = |i: u8| 16 << channel | i;
+            writes.extend((0..count).map(|i| (select(i), words[usize::from(i)] as u64)));
+        }
+        writes
+    }
+
+    /// Its pixels in the order in which a core emits them: rows downwards, each from the major edge.
+    pub fn pixels(&self, size: Viewport) -> Vec<(u16, u16)> {
+        let Some(w) = self.walk(size) else {
+            return vec![];
+        };
+        let mut out = vec![];
+        for s in w.spans(size.width) {
+            let mut row: Vec<_> = (s.start..s.end).map(|x| (x as u16, s.y as u16)).collect();
+            if w.mirrored {
+                row.reverse();
+            }
+            out.extend(row);
+        }
+        out
+    }
+
+    /// Columns of its spans on the screen (first, one past the last), unlimited by the frame and possibly empty.
+    pub fn raw_spans(&self, size: Viewport) -> Vec<(i32, i32)> {
+        self.walk(size).map_or(vec![], |w| {
+            w.walk_spans().map(|(_, from, to)| (from, to)).collect()
+        })
+    }
+}
+
+fn edge_words(e: &EdgeDda) -> [u64; 3] {
+    let pack = |high: i32, low: i32| {
+        assert!(
+            (-2048..2048).contains(&high),
+            "column {high} leaves the register"
+        );
+        (high as u64 & 0xfff) << 20 | low as u64 & 0xf_ffff
+    };
+    [
+        pack(e.column, e.error),
+        pack(e.whole, e.up),
+        pack(0, e.down),
+    ]
+}
+
+/// A core under simulation with its frame width set.
+pub struct Machine {
+    core: CoreSimulator,
+    /// Which core.
+    pub kind: Core,
+    /// Its frame.
+    pub size: Viewport,
+}
+
+impl Machine {
+    /// A core for a frame.
+    pub fn new(order: Order, width: u32, height: u32) -> Self {
+        let kind = Core::for_frame(order, width, height).unwrap();
+        let mut core = CoreSimulator::new(kind).unwrap();
+        core.clock(&CoreInputs {
+            write: true,
+            select: 11,
+            data: u64::from(width),
+            ..CoreInputs::default()
+        });
+        Self {
+            core,
+            kind,
+            size: Viewport { width, height },
+        }
+    }
+
+    /// One clock.
+    pub fn clock(&mut self, i: &CoreInputs) {
+        self.core.clock(i);
+    }
+
+    /// The outputs now.
+    pub fn outputs(&self) -> CoreOutputs {
+        self.core.outputs()
+    }
+
+    /// Draws triangles with a host that writes whenever it may; `ready` decides per clock. Returns the outputs of
+    /// every clock until the core is idle.
+    pub fn draw(
+        &mut self,
+        triangles: &[Triangle],
+        mut ready: impl FnMut(usize) -> bool,
+    ) -> Vec<CoreOutputs> {
+        let order = self.kind.order;
+        let mut words: Vec<(u8, u64, bool)> = vec![];
+        for t in triangles {
+            let writes = t.writes(order, self.size);
+            let last = writes.len().wrapping_sub(1);
+            words.extend(
+                writes
+                    .iter()
+                    .enumerate()
+                    .map(|(i, w)| (w.0, w.1, i == last)),
+            );
+        }
+        let mut words = words.into_iter().peekable();
+        let mut trace = vec![];
+        loop {
+            let before = self.outputs();
+            let mut i = CoreInputs {
+                ready: ready(trace.len()),
+                ..CoreInputs::default()
+            };
+            if before.load_ready {
+                if let Some((select, data, start)) = words.next() {
+                    i.write = true;
+                    (i.select, i.data, i.start) = (select, data, start);
+                }
+            }
+            trace.push(CoreOutputs { ..before });
+            self.clock(&i);
+            if words.peek().is_none() && !self.outputs().busy && !i.start {
+                trace.push(self.outputs());
+                return trace;
+            }
+            assert!(trace.len() < 1_000_000, "the core never gets idle");
+        }
+    }
+}
