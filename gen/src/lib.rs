@@ -1,1 +1,4 @@
-//! Placeholder until the first module lands.
+//! From a description and a scene's set-up to files: Verilog, constraints, vectors, test benches, a manifest.
+
+pub mod netlist;
+pub mod verilog;

@@ -10,7 +10,7 @@ use rand::{Rng, SeedableRng};
 use shadegate_hdl::shade::model::{CoreInputs, Order};
 use shadegate_reference::raster::Point;
 use std::time::Instant;
-use support::{Machine, Polynomial, Triangle};
+use support::{depth_code, Machine, Polynomial, Triangle};
 
 const CLOCKS: u32 = 100_000;
 const RUNS: usize = 5;
@@ -30,7 +30,7 @@ fn triangles(count: usize) -> Vec<Triangle> {
             Triangle {
                 corners,
                 colour: [colour(), colour(), colour()],
-                depth: Polynomial([r.random_range(0..1i64 << 30), 3 << 12, 5 << 12, 0, 0, 0]),
+                depth: Polynomial([depth_code(r.random()), 3 << 12, 5 << 12, 0, 0, 0]),
             }
         })
         .collect()

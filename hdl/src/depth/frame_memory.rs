@@ -75,7 +75,7 @@ impl<const A: usize> Logic for FrameMemory<A> {
         let mut text = format!(
             "//! name frame_memory_{words}\n\
              //! title Depth memory of {words} words of 16 bits: one read and one write per clock.\n\
-             //! equation read_data = memory[read_address], old data when the same clock writes there\n\
+             //! equation read_data = words[read_address], old data when the same clock writes there\n\
              //! source Simple dual-port template for block RAM; zero at power-up.\n\
              //! latency One clock from read to read_data.\n\
              //! reg read_data\n"
@@ -95,12 +95,12 @@ impl<const A: usize> Logic for FrameMemory<A> {
         }
         text += &format!(
             "\n// One word per pixel, 0 = nothing drawn yet.\n\
-             reg [15:0] memory [0:{last}];\n\
+             reg [15:0] words [0:{last}];\n\
              integer i;\n\
-             initial begin\n  for (i = 0; i < {words}; i = i + 1) memory[i] = 16'd0;\n  read_data = 16'd0;\nend\n\n\
+             initial begin\n  for (i = 0; i < {words}; i = i + 1) words[i] = 16'd0;\n  read_data = 16'd0;\nend\n\n\
              always @(posedge clock) begin\n  \
-             if (write && write_inside) memory[write_address[{top}:0]] <= write_data;\n  \
-             if (read && read_inside) read_data <= memory[read_address[{top}:0]];\n\
+             if (write && write_inside) words[write_address[{top}:0]] <= write_data;\n  \
+             if (read && read_inside) read_data <= words[read_address[{top}:0]];\n\
              end\n"
         );
         Verilog::Custom(text)

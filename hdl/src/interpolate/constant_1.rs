@@ -1,6 +1,6 @@
 //! A constant along a span: f(k) = c (Abbas 2003, section 2.1.1).
 
-use crate::format::Q;
+use crate::format::{signed_cast_align, Q};
 use crate::simulate::Register;
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
@@ -14,8 +14,8 @@ pub struct Constant1<const M: usize, const N: usize> {
     pub load: Signal<In, Bit>,
     /// Value of the next span.
     pub start: Signal<In, Q<M, N>>,
-    /// Value of the current span.
-    pub value: Signal<Out, Q<M, N>>,
+    /// Integer part of the value of the current span, rounded down.
+    pub value: Signal<Out, Q<M, 0>>,
     /// Value of the current span.
     held: Register<Q<M, N>>,
 }
@@ -32,7 +32,7 @@ impl<const M: usize, const N: usize> Logic for Constant1<M, N> {
         if self.load.val() {
             self.held.d.next = self.start.val();
         }
-        self.value.next = self.held.q.val();
+        self.value.next = signed_cast_align::<M, 0, M, N>(self.held.q.val());
     }
 }
 

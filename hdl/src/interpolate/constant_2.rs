@@ -22,8 +22,8 @@ pub struct Constant2<const D: usize, const M: usize, const N: usize> {
     pub load: Signal<In, Bit>,
     /// Moves the line registers to the pixel registers: a new span begins.
     pub take: Signal<In, Bit>,
-    /// Value at the current pixel.
-    pub value: Signal<Out, Q<M, N>>,
+    /// Integer part of the value at the current pixel, rounded down.
+    pub value: Signal<Out, Q<M, 0>>,
     /// Register bus as a word of this format.
     bus: Signal<Local, Q<M, N>>,
     /// Value of the next triangle.

@@ -2,7 +2,7 @@
 //!
 //! Each step adds d once, so after k steps the error is e(c) + k·e(d), e being the rounding of a word.
 
-use crate::format::{wrap, Q};
+use crate::format::{signed_cast_align, wrap, Q};
 use crate::simulate::Register;
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
@@ -20,8 +20,8 @@ pub struct Linear1<const M: usize, const N: usize> {
     pub start: Signal<In, Q<M, N>>,
     /// Difference from pixel to pixel.
     pub step: Signal<In, Q<M, N>>,
-    /// Value at the current pixel.
-    pub value: Signal<Out, Q<M, N>>,
+    /// Integer part of the value at the current pixel, rounded down.
+    pub value: Signal<Out, Q<M, 0>>,
     /// Value at the current pixel.
     total: Register<Q<M, N>>,
     /// Difference from pixel to pixel.
@@ -43,7 +43,7 @@ impl<const M: usize, const N: usize> Logic for Linear1<M, N> {
         } else if self.run.val() {
             self.total.d.next = self.total.q.val() + self.first.q.val();
         }
-        self.value.next = self.total.q.val();
+        self.value.next = signed_cast_align::<M, 0, M, N>(self.total.q.val());
     }
 }
 

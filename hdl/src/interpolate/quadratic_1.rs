@@ -3,7 +3,7 @@
 //! With e the rounding of a word, the error after k steps is e(c) + k·e(d) + k(k − 1)/2·e(dd).
 //! (Abbas 2.9 prints the sum of 1..M as M(M − 1)/2; it is M(M + 1)/2.)
 
-use crate::format::{wrap, Q};
+use crate::format::{signed_cast_align, wrap, Q};
 use crate::simulate::Register;
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
@@ -23,8 +23,8 @@ pub struct Quadratic1<const M: usize, const N: usize> {
     pub step: Signal<In, Q<M, N>>,
     /// Second difference.
     pub bend: Signal<In, Q<M, N>>,
-    /// Value at the current pixel.
-    pub value: Signal<Out, Q<M, N>>,
+    /// Integer part of the value at the current pixel, rounded down.
+    pub value: Signal<Out, Q<M, 0>>,
     /// Value at the current pixel.
     total: Register<Q<M, N>>,
     /// First difference at the current pixel.
@@ -50,7 +50,7 @@ impl<const M: usize, const N: usize> Logic for Quadratic1<M, N> {
             self.total.d.next = self.total.q.val() + self.first.q.val();
             self.first.d.next = self.first.q.val() + self.second.q.val();
         }
-        self.value.next = self.total.q.val();
+        self.value.next = signed_cast_align::<M, 0, M, N>(self.total.q.val());
     }
 }
 

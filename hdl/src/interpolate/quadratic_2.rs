@@ -43,8 +43,8 @@ pub struct Quadratic2<const D: usize, const M: usize, const N: usize> {
     pub take: Signal<In, Bit>,
     /// Steps the pixel registers.
     pub run: Signal<In, Bit>,
-    /// Value at the current pixel.
-    pub value: Signal<Out, Q<M, N>>,
+    /// Integer part of the value at the current pixel, rounded down.
+    pub value: Signal<Out, Q<M, 0>>,
     /// Register bus as a word of this format.
     bus: Signal<Local, Q<M, N>>,
     /// Next triangle, value at the first span start.

@@ -98,14 +98,18 @@ pub struct GouraudCore<const D: usize, const N: usize, const B: usize, const A: 
     bus_colour: Signal<Local, U<D>>,
     /// Register bus as wide as a shell word.
     bus_32: Signal<Local, U<32>>,
+    /// Depth less 32768, as bits.
+    depth_bits: Signal<Local, U<16>>,
+    /// The bias of the depth interpolant: depths 0 to 65535 are walked as -32768 to 32767.
+    depth_bias: Constant<U<16>>,
     shell: Quiet<Shell<A>>,
     red_value: Quiet<Linear2<D, 11, N>>,
     green_value: Quiet<Linear2<D, 11, N>>,
     blue_value: Quiet<Linear2<D, 11, N>>,
-    depth_value: Quiet<Linear2<32, 16, 15>>,
-    red_byte: Quiet<Saturate<N>>,
-    green_byte: Quiet<Saturate<N>>,
-    blue_byte: Quiet<Saturate<N>>,
+    depth_value: Quiet<Linear2<32, 15, 16>>,
+    red_byte: Quiet<Saturate>,
+    green_byte: Quiet<Saturate>,
+    blue_byte: Quiet<Saturate>,
     z_buffer: Quiet<ZBuffer<A>>,
 }
 
@@ -156,6 +160,8 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> GouraudCore
             selects_shell: Default::default(),
             bus_colour: Default::default(),
             bus_32: Default::default(),
+            depth_bits: Default::default(),
+            depth_bias: Constant::new(U::new(1 << 15)),
             shell: Default::default(),
             red_value: Default::default(),
             green_value: Default::default(),
@@ -264,13 +270,13 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
         self.depth_value.take.next = self.shell.take.val();
         self.depth_value.run.next = self.shell.run.val();
 
+        self.depth_bits.next = unsigned_cast_integer::<16, 15, 0>(self.depth_value.value.val());
         self.z_buffer.clock.next = self.clock.val();
         self.z_buffer.go.next = self.go.val();
         self.z_buffer.clear.next = self.clear.val() && !self.is_busy.val();
         self.z_buffer.fragment.next = self.shell.fragment.val();
         self.z_buffer.address.next = self.shell.address.val();
-        self.z_buffer.depth.next =
-            unsigned_cast_integer::<16, 16, 15>(self.depth_value.value.val());
+        self.z_buffer.depth.next = self.depth_bits.val() ^ self.depth_bias.val();
 
         if self.go.val() {
             self.drawn_x.d.next = self.shell.x.val();

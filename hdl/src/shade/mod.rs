@@ -8,7 +8,9 @@ pub mod saturate;
 
 /// Integer bits of a colour word: ±2048 LSB holds a six-knot colour of knots in 0..=1530.
 pub const COLOUR_INTEGER_BITS: usize = 11;
-/// Integer bits of the depth interpolant; depth words are 16 bits.
-pub const DEPTH_INTEGER_BITS: usize = 16;
+/// Integer bits of the depth interpolant, which walks the depth word less [`DEPTH_BIAS`].
+pub const DEPTH_INTEGER_BITS: usize = 15;
+/// Subtracted from a depth word, so that 0..=65535 fits a signed word.
+pub const DEPTH_BIAS: i64 = 1 << 15;
 /// Fraction bits of the depth interpolant.
-pub const DEPTH_FRACTION_BITS: usize = 15;
+pub const DEPTH_FRACTION_BITS: usize = 16;

@@ -1,7 +1,7 @@
 //! Integer model of a whole core, clock by clock: what the description must do, in plain integers.
 
 use super::saturate::saturate_model;
-use super::{COLOUR_INTEGER_BITS, DEPTH_FRACTION_BITS, DEPTH_INTEGER_BITS};
+use super::{COLOUR_INTEGER_BITS, DEPTH_BIAS, DEPTH_FRACTION_BITS, DEPTH_INTEGER_BITS};
 use crate::depth::z_buffer::{ZBufferInputs, ZBufferModel};
 use crate::format::mask;
 use crate::interpolate::linear_2::{Controls, Linear2Model};
@@ -163,7 +163,7 @@ impl CoreModel {
         let colour_bits = 1 + COLOUR_INTEGER_BITS + self.fraction_bits;
         let depth_bits = 1 + DEPTH_INTEGER_BITS + DEPTH_FRACTION_BITS;
         // The stages behind the pixel registers, last one first.
-        let fragment_depth = (self.depth.value() >> DEPTH_FRACTION_BITS) as u16;
+        let fragment_depth = ((self.depth.value() >> DEPTH_FRACTION_BITS) + DEPTH_BIAS) as u16;
         if go {
             self.out_valid = self.z_buffer.pass();
             self.out = Pixel {
@@ -172,7 +172,7 @@ impl CoreModel {
             };
             let rgb = self
                 .colour
-                .map(|c| saturate_model(c.value(), self.fraction_bits));
+                .map(|c| saturate_model(c.value() >> self.fraction_bits));
             self.drawn = Pixel {
                 x: so.x,
                 y: so.y,

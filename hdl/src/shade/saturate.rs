@@ -4,18 +4,16 @@
 //! behind the accumulator is part of the method; Abbas' appendix omits it. The half LSB for rounding to nearest is added
 //! once, to the start value.
 
-use crate::format::{signed_cast_align, Q, U};
+use crate::format::{Q, U};
 use rust_hdl_core::prelude::*;
 
 /// Combinational.
 #[derive(LogicBlock)]
-pub struct Saturate<const N: usize> {
-    /// Colour in LSB, with half an LSB already added.
-    pub value: Signal<In, Q<11, N>>,
+pub struct Saturate {
+    /// Integer part of the colour in LSB, with half an LSB already added.
+    pub value: Signal<In, Q<11, 0>>,
     /// Colour as a byte.
     pub level: Signal<Out, U<8>>,
-    /// Integer part of the colour.
-    whole: Signal<Local, Q<11, 0>>,
     /// Integer bits above a byte.
     excess: Signal<Local, U<3>>,
     /// Darkest byte.
@@ -24,12 +22,11 @@ pub struct Saturate<const N: usize> {
     full: Constant<U<8>>,
 }
 
-impl<const N: usize> Default for Saturate<N> {
+impl Default for Saturate {
     fn default() -> Self {
         Self {
             value: Default::default(),
             level: Default::default(),
-            whole: Default::default(),
             excess: Default::default(),
             zero: Constant::new(U::new(0)),
             full: Constant::new(U::new(255)),
@@ -37,34 +34,33 @@ impl<const N: usize> Default for Saturate<N> {
     }
 }
 
-impl<const N: usize> Logic for Saturate<N> {
+impl Logic for Saturate {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("name saturate");
         comment!("title Clamps the integer part of a colour to a byte.");
-        comment!("equation level = min(max(floor(value), 0), 255)");
+        comment!("equation level = min(max(value, 0), 255)");
         comment!("source A six-knot colour leaves its knots by up to a third; Abbas 2003, appendix, has no clamp.");
         comment!("latency Combinational.");
-        self.whole.next = signed_cast_align::<11, 0, 11, N>(self.value.val());
-        self.excess.next = self.whole.val().get_bits::<3>(8);
-        if self.whole.val().get_bit(11) {
+        self.excess.next = self.value.val().get_bits::<3>(8);
+        if self.value.val().get_bit(11) {
             self.level.next = self.zero.val();
         } else if self.excess.val().any() {
             self.level.next = self.full.val();
         } else {
-            self.level.next = self.whole.val().get_bits::<8>(0);
+            self.level.next = self.value.val().get_bits::<8>(0);
         }
     }
 }
 
-crate::ports!(Saturate<N>, const N: usize;
+crate::ports!(Saturate;
     inputs value;
     outputs level);
 
-/// Integer model of [`Saturate`]: `code` has `fraction_bits`.
+/// Integer model of [`Saturate`].
 #[must_use]
-pub fn saturate_model(code: i64, fraction_bits: usize) -> u8 {
-    (code >> fraction_bits).clamp(0, 255) as u8
+pub fn saturate_model(value: i64) -> u8 {
+    value.clamp(0, 255) as u8
 }
 
 #[cfg(test)]
@@ -72,16 +68,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_integer_part_and_both_ends_of_the_fraction() {
-        let mut design = Saturate::<4>::default();
+    fn every_integer_part() {
+        let mut design = Saturate::default();
         design.connect_all();
         check_all(&design).expect("connected");
-        for code in -(1i64 << 15)..1 << 15 {
+        for code in -(1i64 << 11)..1 << 11 {
             design.value.next = Q::from_code(code);
             assert!(simulate(&mut design, 20));
             assert_eq!(
                 design.level.val().get(),
-                u64::from(saturate_model(code, 4)),
+                u64::from(saturate_model(code)),
                 "code {code}"
             );
         }

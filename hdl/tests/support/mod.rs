@@ -1,9 +1,14 @@
 //! A host for whole cores: turns triangles and polynomials into legal register words, writes them, collects pixels.
 #![allow(dead_code)]
 
+use rand::rngs::StdRng;
+use rand::Rng;
 use shadegate_hdl::shade::device::{Core, CoreSimulator};
 use shadegate_hdl::shade::model::{CoreInputs, CoreOutputs, Order};
+use shadegate_hdl::shade::saturate::saturate_model;
+use shadegate_hdl::shade::{DEPTH_BIAS, DEPTH_FRACTION_BITS};
 use shadegate_reference::raster::{EdgeDda, Point, Viewport, Walk};
+use std::ops::Range;
 
 /// A polynomial over the frame in integer codes: c + a·x + b·y + (d·x² + e·x·y + f·y²).
 #[derive(Clone, Copy, Debug, Default)]
@@ -35,6 +40,11 @@ impl Polynomial {
     }
 }
 
+/// The depth interpolant's code of a depth.
+pub fn depth_code(depth: u16) -> i64 {
+    (i64::from(depth) - DEPTH_BIAS) << DEPTH_FRACTION_BITS
+}
+
 /// A triangle with what is interpolated over it.
 #[derive(Clone, Copy, Debug)]
 pub struct Triangle {
@@ -42,7 +52,7 @@ pub struct Triangle {
     pub corners: [Point; 3],
     /// Red, green, blue in codes of the core's colour format.
     pub colour: [Polynomial; 3],
-    /// Depth in codes of 2^−15.
+    /// Depth in codes of the core's depth format, see [`depth_code`].
     pub depth: Polynomial,
 }
 
@@ -52,7 +62,7 @@ impl Triangle {
         Self {
             corners: corners.map(|(x, y)| Point::snap(x, y).unwrap()),
             colour: [Polynomial::default(); 3],
-            depth: Polynomial::constant(i64::from(depth) << 15),
+            depth: Polynomial::constant(depth_code(depth)),
         }
     }
 
@@ -110,12 +120,120 @@ impl Triangle {
         out
     }
 
-    /// Columns of its spans on the screen (first, one past the last), unlimited by the frame and possibly empty.
-    pub fn raw_spans(&self, size: Viewport) -> Vec<(i32, i32)> {
-        self.walk(size).map_or(vec![], |w| {
-            w.walk_spans().map(|(_, from, to)| (from, to)).collect()
+    /// Its spans in walk columns (first, one past the last), unlimited by the frame and possibly empty, and whether
+    /// the walk columns are mirrored.
+    pub fn raw_spans(&self, size: Viewport) -> (bool, Vec<(i32, i32)>) {
+        self.walk(size).map_or((false, vec![]), |w| {
+            let spans = w.walk_spans().map(|(_, from, to)| (from, to)).collect();
+            (w.mirrored, spans)
         })
     }
+
+    /// Its pixels with colours and depths, as a core of this kind emits them when nothing hides them.
+    pub fn drawn(&self, kind: Core, size: Viewport) -> Vec<Pixel> {
+        let shade = |(x, y): (u16, u16)| {
+            let (column, row) = (i64::from(x), i64::from(y));
+            Pixel {
+                x,
+                y,
+                rgb: self
+                    .colour
+                    .map(|c| saturate_model(c.at(column, row) >> kind.fraction_bits())),
+                depth: ((self.depth.at(column, row) >> DEPTH_FRACTION_BITS) + DEPTH_BIAS) as u16,
+            }
+        };
+        self.pixels(size).into_iter().map(shade).collect()
+    }
+}
+
+/// What a core says about a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pixel {
+    /// Column.
+    pub x: u16,
+    /// Row.
+    pub y: u16,
+    /// Colour.
+    pub rgb: [u8; 3],
+    /// Depth.
+    pub depth: u16,
+}
+
+impl Pixel {
+    /// The pixel on offer.
+    pub fn offered(o: &CoreOutputs) -> Self {
+        Self {
+            x: o.x,
+            y: o.y,
+            rgb: o.rgb,
+            depth: o.depth,
+        }
+    }
+}
+
+/// The pixels taken in a trace of [`Machine::draw`].
+pub fn taken(trace: &[CoreOutputs], ready: impl Fn(usize) -> bool) -> Vec<Pixel> {
+    let clocks = trace.iter().enumerate();
+    clocks
+        .filter(|(t, o)| o.valid && ready(*t))
+        .map(|(_, o)| Pixel::offered(o))
+        .collect()
+}
+
+/// Checks that `done` is one in exactly the clocks in which `busy` has just fallen; returns how often.
+pub fn check_done(trace: &[CoreOutputs]) -> usize {
+    for (t, pair) in trace.windows(2).enumerate() {
+        let falls = pair[0].busy && !pair[1].busy;
+        assert_eq!(pair[1].done, falls, "clock {t}");
+    }
+    trace.iter().filter(|o| o.done).count()
+}
+
+/// Triangles with corners in these columns and rows, colours and depths random but within range, each deeper ones
+/// first so that all are visible where a core has drawn before.
+pub fn random_triangles(
+    r: &mut StdRng,
+    kind: Core,
+    size: Viewport,
+    columns: Range<i32>,
+    rows: Range<i32>,
+    count: usize,
+    mut wanted: impl FnMut(&Triangle) -> bool,
+) -> Vec<Triangle> {
+    let unit = 1i64 << kind.fraction_bits();
+    let bend = if kind.order == Order::Quadratic {
+        unit / 32
+    } else {
+        0
+    };
+    let mut out: Vec<Triangle> = vec![];
+    for _ in 0..1_000_000 {
+        if out.len() == count {
+            return out;
+        }
+        let mut corner = || Point {
+            x: r.random_range(columns.start * 256..columns.end * 256),
+            y: r.random_range(rows.start * 256..rows.end * 256),
+        };
+        let corners = [corner(), corner(), corner()];
+        let mut colour = || {
+            let mut slope = |limit: i64| r.random_range(-limit..=limit);
+            let [a, b] = [slope(2 * unit), slope(2 * unit)];
+            let [d, e, f] = [slope(bend), slope(bend), slope(bend)];
+            Polynomial([r.random_range(0..256 * unit), a, b, d, e, f])
+        };
+        let colour = [colour(), colour(), colour()];
+        let depth = 1000 + 60_000 / count * out.len();
+        let triangle = Triangle {
+            corners,
+            colour,
+            depth: Polynomial::constant(depth_code(depth as u16)),
+        };
+        if triangle.walk(size).is_some() && wanted(&triangle) {
+            out.push(triangle);
+        }
+    }
+    panic!("no such triangles");
 }
 
 fn edge_words(e: &EdgeDda) -> [u64; 3] {
@@ -170,6 +288,14 @@ impl Machine {
         self.core.outputs()
     }
 
+    /// One clock of a host that does nothing and takes pixels.
+    pub fn idle(&mut self) {
+        self.clock(&CoreInputs {
+            ready: true,
+            ..CoreInputs::default()
+        });
+    }
+
     /// Draws triangles with a host that writes whenever it may; `ready` decides per clock. Returns the outputs of
     /// every clock until the core is idle.
     pub fn draw(
@@ -203,7 +329,7 @@ impl Machine {
                     (i.select, i.data, i.start) = (select, data, start);
                 }
             }
-            trace.push(CoreOutputs { ..before });
+            trace.push(before);
             self.clock(&i);
             if words.peek().is_none() && !self.outputs().busy && !i.start {
                 trace.push(self.outputs());

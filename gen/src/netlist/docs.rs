@@ -1,0 +1,42 @@
+//! Doc comments of a description's fields, read from its source text.
+
+use std::collections::HashMap;
+
+/// First sentence-block of the doc comment above each `name: Type` field, by field name.
+pub fn field_docs(source: &str) -> HashMap<String, String> {
+    let mut docs = HashMap::new();
+    let mut pending: Vec<&str> = vec![];
+    for line in source.lines() {
+        let line = line.trim();
+        if let Some(text) = line.strip_prefix("///") {
+            pending.push(text.trim());
+            continue;
+        }
+        if line.starts_with("#[") {
+            continue;
+        }
+        if let Some((name, _)) = line.trim_start_matches("pub ").split_once(": ") {
+            let is_name =
+                !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+            if is_name && !pending.is_empty() {
+                docs.entry(name.to_string())
+                    .or_insert_with(|| pending.join(" "));
+            }
+        }
+        pending.clear();
+    }
+    docs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::field_docs;
+
+    #[test]
+    fn docs_belong_to_the_field_below_them() {
+        let d = field_docs("struct A {\n    /// The clock.\n    pub clock: Signal<In, Clock>,\n    /// Two\n    /// lines.\n    total: DFF<U<4>>,\n    bare: u8,\n}");
+        assert_eq!(d["clock"], "The clock.");
+        assert_eq!(d["total"], "Two lines.");
+        assert!(!d.contains_key("bare"));
+    }
+}

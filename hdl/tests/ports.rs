@@ -1,0 +1,99 @@
+//! Every description lists its ports completely; a block with a forgotten input would stand still in simulation.
+
+use rust_hdl_core::prelude::*;
+use shadegate_hdl::depth::frame_memory::FrameMemory;
+use shadegate_hdl::depth::z_buffer::ZBuffer;
+use shadegate_hdl::interpolate::constant_1::Constant1;
+use shadegate_hdl::interpolate::constant_2::Constant2;
+use shadegate_hdl::interpolate::linear_1::Linear1;
+use shadegate_hdl::interpolate::linear_2::Linear2;
+use shadegate_hdl::interpolate::quadratic_1::Quadratic1;
+use shadegate_hdl::interpolate::quadratic_2::Quadratic2;
+use shadegate_hdl::raster::edge_walk::EdgeWalk;
+use shadegate_hdl::raster::shell::Shell;
+use shadegate_hdl::shade::device::{GouraudNarrow, QuadraticNarrow};
+use shadegate_hdl::shade::saturate::Saturate;
+use shadegate_hdl::simulate::{check_ports, Quiet, Register};
+
+#[test]
+fn every_description_lists_its_ports() {
+    check_ports(&Constant1::<11, 12>::default()).unwrap();
+    check_ports(&Linear1::<11, 12>::default()).unwrap();
+    check_ports(&Quadratic1::<11, 20>::default()).unwrap();
+    check_ports(&Constant2::<24, 11, 12>::default()).unwrap();
+    check_ports(&Linear2::<24, 11, 12>::default()).unwrap();
+    check_ports(&Quadratic2::<32, 11, 20>::default()).unwrap();
+    check_ports(&EdgeWalk::default()).unwrap();
+    check_ports(&Shell::<17>::default()).unwrap();
+    check_ports(&FrameMemory::<6>::new(41)).unwrap();
+    check_ports(&ZBuffer::<6>::new(41)).unwrap();
+    check_ports(&Saturate::default()).unwrap();
+    check_ports(&GouraudNarrow::new(1200)).unwrap();
+    check_ports(&QuadraticNarrow::new(1200)).unwrap();
+}
+
+#[derive(LogicBlock, Default)]
+struct Both {
+    pub a: Signal<In, Bit>,
+    pub b: Signal<In, Bit>,
+    pub both: Signal<Out, Bit>,
+}
+
+impl Logic for Both {
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.both.next = self.a.val() && self.b.val();
+    }
+}
+
+shadegate_hdl::ports!(Both; inputs a; outputs both);
+
+#[test]
+fn a_forgotten_input_is_found() {
+    let message = check_ports(&Both::default()).unwrap_err();
+    assert!(message.contains("found [\"a\", \"b\"]"), "{message}");
+}
+
+/// Scopes and atoms as a back end meets them.
+#[derive(Default)]
+struct Outline(Vec<String>);
+
+impl Probe for Outline {
+    fn visit_start_scope(&mut self, name: &str, node: &dyn Block) {
+        self.0.push(format!("{name} {:?}", node.hdl()));
+    }
+
+    fn visit_atom(&mut self, name: &str, a: &dyn Atom) {
+        let connected = a.connected();
+        self.0
+            .push(format!("{name} {} {:?} {connected}", a.bits(), a.kind()));
+    }
+
+    fn visit_end_scope(&mut self, name: &str, _node: &dyn Block) {
+        self.0.push(format!("end {name}"));
+    }
+}
+
+fn outline(block: &dyn Block) -> Vec<String> {
+    let mut o = Outline::default();
+    block.accept("x", &mut o);
+    o.0
+}
+
+#[test]
+fn a_quiet_block_looks_like_its_inner_block() {
+    let mut plain = EdgeWalk::default();
+    let mut quiet = Quiet::from(EdgeWalk::default());
+    plain.connect_all();
+    quiet.connect_all();
+    assert_eq!(outline(&plain), outline(&quiet));
+}
+
+#[test]
+fn a_register_looks_like_a_flip_flop_of_rust_hdl() {
+    let mut theirs = rust_hdl_widgets::prelude::DFF::<Bits<7>>::default();
+    let mut ours = Register::<Bits<7>>::default();
+    theirs.connect_all();
+    ours.connect_all();
+    assert_eq!(outline(&theirs), outline(&ours));
+}

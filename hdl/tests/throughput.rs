@@ -1,0 +1,129 @@
+//! One pixel per clock: no bubble inside a triangle, none between triangles whose words come in time, at most one clock
+//! for a row without pixels. Colours and depths are checked on the way.
+
+mod support;
+
+use rand::rngs::StdRng;
+use rand::SeedableRng;
+use shadegate_hdl::shade::model::{CoreOutputs, Order};
+use shadegate_reference::raster::Viewport;
+use support::{check_done, random_triangles, taken, Machine, Triangle};
+
+const SIZE: Viewport = Viewport {
+    width: 64,
+    height: 48,
+};
+
+fn valid_range(trace: &[CoreOutputs]) -> std::ops::RangeInclusive<usize> {
+    let first = trace.iter().position(|o| o.valid).unwrap();
+    let last = trace.iter().rposition(|o| o.valid).unwrap();
+    first..=last
+}
+
+fn row_lengths(t: &Triangle) -> Vec<i32> {
+    t.raw_spans(SIZE).1.iter().map(|s| s.1 - s.0).collect()
+}
+
+fn no_bubbles(order: Order, seed: u64) {
+    let mut r = StdRng::seed_from_u64(seed);
+    let mut m = Machine::new(order, SIZE.width, SIZE.height);
+    // The words of the next triangle take as long as this one's pixels, and three clocks pass until it is loaded.
+    let words = Triangle::flat([(0.0, 0.0), (9.0, 0.0), (0.0, 9.0)], 1)
+        .writes(order, SIZE)
+        .len();
+    let triangles = random_triangles(&mut r, m.kind, SIZE, 0..64, 0..48, 200, |t| {
+        t.pixels(SIZE).len() >= words + 4 && row_lengths(t).iter().all(|n| *n > 0)
+    });
+    let lengths: Vec<i32> = triangles.iter().flat_map(row_lengths).collect();
+    assert!(lengths.iter().filter(|n| **n == 1).count() > 50);
+    let trace = m.draw(&triangles, |_| true);
+    let bubbles = trace[valid_range(&trace)]
+        .iter()
+        .filter(|o| !o.valid)
+        .count();
+    assert_eq!(bubbles, 0, "{order:?}");
+    let want: Vec<_> = triangles
+        .iter()
+        .flat_map(|t| t.drawn(m.kind, SIZE))
+        .collect();
+    assert_eq!(taken(&trace, |_| true), want);
+    assert_eq!(check_done(&trace), 1);
+}
+
+#[test]
+fn no_bubbles_in_or_between_triangles() {
+    no_bubbles(Order::Quadratic, 1);
+    no_bubbles(Order::Linear, 2);
+}
+
+#[test]
+fn spans_of_one_pixel_on_a_carrying_edge() {
+    // One pixel wide, leaning by a third of a pixel per row: every row is one pixel, every third row carries.
+    let mut m = Machine::new(Order::Linear, SIZE.width, SIZE.height);
+    let strip = [(2.0, -60.0), (3.0, -60.0), (40.0, 51.0)];
+    for (flip, sign) in [(false, 1.0), (true, -1.0)] {
+        let shift = if flip { 64.0 } else { 0.0 };
+        let t = Triangle::flat(
+            strip.map(|(x, y)| (shift + sign * x, y)),
+            9000 + u16::from(flip),
+        );
+        let (mirrored, spans) = t.raw_spans(SIZE);
+        let moves: Vec<i32> = spans.windows(2).map(|w| w[1].0 - w[0].0).collect();
+        assert!(moves.iter().any(|d| *d == moves[0]) && moves.iter().any(|d| *d != moves[0]));
+        let trace = m.draw(&[t], |_| true);
+        let got = taken(&trace, |_| true);
+        assert_eq!(got, t.drawn(m.kind, SIZE), "mirrored {mirrored}");
+        let empty = spans.iter().filter(|s| s.0 >= s.1).count();
+        assert!(valid_range(&trace).count() <= got.len() + empty);
+    }
+}
+
+/// Clocks that the walk may spend on a row: its pixels up to the frame's border, or one.
+fn row_cost(mirrored: bool, (from, to): (i32, i32)) -> usize {
+    let width = SIZE.width as i32;
+    let (near, far) = if mirrored { (-width, 0) } else { (0, width) };
+    if from < to && from < far && near < to {
+        (to.min(far) - from) as usize
+    } else {
+        1
+    }
+}
+
+fn empty_rows(order: Order, seed: u64) {
+    let mut r = StdRng::seed_from_u64(seed);
+    let mut m = Machine::new(order, SIZE.width, SIZE.height);
+    // Slivers, and triangles that lie beside the frame for some rows.
+    let triangles = random_triangles(&mut r, m.kind, SIZE, -40..104, -20..68, 300, |t| {
+        let empty = t.raw_spans(SIZE).1.iter().filter(|s| s.0 >= s.1).count();
+        !t.pixels(SIZE).is_empty() && empty > 0
+    });
+    for t in &triangles {
+        let words = t.writes(order, SIZE).len();
+        let trace = m.draw(&[*t], |_| true);
+        assert_eq!(taken(&trace, |_| true), t.drawn(m.kind, SIZE));
+        let (mirrored, spans) = t.raw_spans(SIZE);
+        let cost: usize = spans.iter().map(|s| row_cost(mirrored, *s)).sum();
+        // Five clocks from the last word to the first pixel.
+        let last = *valid_range(&trace).end();
+        assert!(last < words + 4 + cost, "{last} {words} {cost} {spans:?}");
+        check_done(&trace);
+    }
+}
+
+#[test]
+fn an_empty_row_costs_at_most_one_clock() {
+    empty_rows(Order::Quadratic, 3);
+    empty_rows(Order::Linear, 4);
+}
+
+#[test]
+fn the_first_pixel_comes_five_clocks_after_start() {
+    for order in [Order::Quadratic, Order::Linear] {
+        let mut m = Machine::new(order, SIZE.width, SIZE.height);
+        let t = Triangle::flat([(0.0, 0.0), (9.0, 0.0), (0.0, 9.0)], 1);
+        let words = t.writes(order, SIZE).len();
+        let trace = m.draw(&[t], |_| true);
+        // The last word and start are presented in clock words − 1.
+        assert_eq!(*valid_range(&trace).start(), words - 1 + 5);
+    }
+}
