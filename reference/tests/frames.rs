@@ -220,3 +220,19 @@ fn a_png_comes_back_as_it_was() {
         .to_string()
         .starts_with("no-such-folder/x.png: "));
 }
+
+#[test]
+fn of_equal_depths_the_first_drawn_stays() {
+    let mut scene = load("two-lights");
+    let frames = |scene: &shadegate_reference::Scene| {
+        let p = Prepared::new(scene, Some((80, 60)), &Skips::all()).unwrap();
+        Method::ALL.map(|m| draw(&p, m))
+    };
+    let once = frames(&scene);
+    let mut again = scene.objects.clone();
+    for o in &mut again {
+        o.material = (o.material + 1) % scene.materials.len();
+    }
+    scene.objects.extend(again);
+    assert!(frames(&scene) == once);
+}
