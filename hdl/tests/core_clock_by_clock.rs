@@ -53,7 +53,7 @@ fn run(core: Core, seed: u64, clocks: usize) {
         let select = if next & 1 == 0 {
             (next >> 1) % 12
         } else {
-            r.random_range(1..16u8) << 4 | (next >> 1) % 11
+            (r.random_range(1..16u8) << 4) | ((next >> 1) % 11)
         };
         let i = CoreInputs {
             write,

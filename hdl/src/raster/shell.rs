@@ -331,6 +331,8 @@ impl<const A: usize> Default for Shell<A> {
     }
 }
 
+// "Not left of the border" is a comparator and an inverter.
+#[allow(clippy::nonminimal_bool)]
 impl<const A: usize> Logic for Shell<A> {
     #[hdl_gen]
     fn update(&mut self) {
