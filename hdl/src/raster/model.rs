@@ -35,6 +35,8 @@ pub struct ShellOutputs {
     pub address: u64,
     /// A triangle is waiting or being walked.
     pub busy: bool,
+    /// Ordinal of the pixel's triangle since power-up, from 1; known to the model only.
+    pub ordinal: u64,
 }
 
 /// State of the shell with frame addresses of `address_bits`.
@@ -48,10 +50,12 @@ pub struct ShellModel {
     stale_line: Line,
     pixel: Pixel,
     running: bool,
+    loads: u64,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
 struct Line {
+    ordinal: u64,
     rows_left: u64,
     upper_left: u64,
     row: u64,
@@ -64,6 +68,7 @@ struct Line {
 
 #[derive(Clone, Copy, Debug, Default)]
 struct Pixel {
+    ordinal: u64,
     column: i64,
     end: i64,
     row: u64,
@@ -93,6 +98,7 @@ impl ShellModel {
             stale_line: Line::default(),
             pixel: Pixel::default(),
             running: false,
+            loads: 0,
         }
     }
 
@@ -150,6 +156,7 @@ impl ShellModel {
             y: p.row,
             address: (p.base.wrapping_add(screen as u64)) & mask(self.address_bits),
             busy: self.pending || self.line.is_some() || self.running,
+            ordinal: p.ordinal,
         }
     }
 
@@ -157,6 +164,7 @@ impl ShellModel {
         let w = &self.words;
         let edge = |i: usize| EdgeModel::from_words(w[i], w[i + 1], w[i + 2]);
         Line {
+            ordinal: self.loads + 1,
             rows_left: w[0] & mask(11),
             upper_left: w[0] >> 11 & mask(11),
             mirrored: w[0] >> 22 & 1 == 1,
@@ -190,6 +198,7 @@ impl ShellModel {
                 .as_ref()
                 .expect("a span is only taken from a line");
             self.pixel = Pixel {
+                ordinal: l.ordinal,
                 column: l.major.column,
                 end: l.minor.column,
                 row: l.row,
@@ -204,6 +213,7 @@ impl ShellModel {
         // Line registers.
         if d.loading {
             let l = self.load_line();
+            self.loads += 1;
             self.stale_line = l;
             self.line = (l.rows_left != 0).then_some(l);
         } else if d.stepping {

@@ -79,6 +79,7 @@ impl Channel {
 
 #[derive(Clone, Copy, Debug, Default)]
 struct Pixel {
+    ordinal: u64,
     x: u64,
     y: u64,
     rgb: [u8; 3],
@@ -154,6 +155,19 @@ impl CoreModel {
         }
     }
 
+    /// Ordinal (from 1, counting starts since power-up) of the triangle that the offered pixel belongs to.
+    #[must_use]
+    pub fn ordinal(&self) -> u64 {
+        self.out.ordinal
+    }
+
+    /// The accumulators of the pixel registers: red, green, blue, depth codes.
+    #[must_use]
+    pub fn accumulators(&self) -> [i64; 4] {
+        let [r, g, b] = self.colour.map(|c| c.value());
+        [r, g, b, self.depth.value()]
+    }
+
     /// One clock edge; the outputs after it are those of [`CoreModel::outputs`].
     pub fn clock(&mut self, i: &CoreInputs) {
         let si = self.shell_inputs(i);
@@ -174,6 +188,7 @@ impl CoreModel {
                 .colour
                 .map(|c| saturate_model(c.value() >> self.fraction_bits));
             self.drawn = Pixel {
+                ordinal: so.ordinal,
                 x: so.x,
                 y: so.y,
                 rgb,
