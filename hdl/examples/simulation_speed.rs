@@ -15,22 +15,22 @@ use support::{depth_code, Machine, Polynomial, Triangle};
 const CLOCKS: u32 = 100_000;
 const RUNS: usize = 5;
 
-/// Triangles of 40 to 100 pixels, so that about as many words are due as pixels.
-fn triangles(count: usize) -> Vec<Triangle> {
+/// Triangles of about 50 pixels, each nearer than the ones before: about as many words are due as pixels.
+fn triangles(count: u16) -> Vec<Triangle> {
     let mut r = StdRng::seed_from_u64(5);
     (0..count)
-        .map(|_| {
+        .map(|i| {
             let (x, y) = (r.random_range(0..300 * 256), r.random_range(0..220 * 256));
             let mut corner = |dx: i32, dy: i32| Point {
                 x: x + dx * 256 + r.random_range(0..512),
                 y: y + dy * 256 + r.random_range(0..512),
             };
-            let corners = [corner(0, 0), corner(14, 3), corner(5, 12)];
+            let corners = [corner(0, 0), corner(11, 3), corner(4, 10)];
             let colour = || Polynomial([100 << 20, 1 << 17, -1 << 17, 1 << 10, 77, -1 << 9]);
             Triangle {
                 corners,
                 colour: [colour(), colour(), colour()],
-                depth: Polynomial([depth_code(r.random()), 3 << 12, 5 << 12, 0, 0, 0]),
+                depth: Polynomial([depth_code(1000 + 16 * i), 3 << 12, 5 << 12, 0, 0, 0]),
             }
         })
         .collect()
@@ -38,7 +38,7 @@ fn triangles(count: usize) -> Vec<Triangle> {
 
 fn run(order: Order) -> (f64, f64, f64) {
     let mut m = Machine::new(order, 320, 240);
-    let words: Vec<(u8, u64, bool)> = triangles(500)
+    let words: Vec<(u8, u64, bool)> = triangles(3000)
         .iter()
         .flat_map(|t| {
             let w = t.writes(order, m.size);

@@ -1,10 +1,14 @@
 //! A host for whole cores: turns triangles and polynomials into legal register words, writes them, collects pixels.
-#![allow(dead_code)]
+#![allow(dead_code, unused_imports)]
+
+mod machine;
+
+pub use machine::{check_done, taken, Machine, Pixel};
 
 use rand::rngs::StdRng;
 use rand::Rng;
-use shadegate_hdl::shade::device::{Core, CoreSimulator};
-use shadegate_hdl::shade::model::{CoreInputs, CoreOutputs, Order};
+use shadegate_hdl::shade::device::Core;
+use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::saturate::saturate_model;
 use shadegate_hdl::shade::{DEPTH_BIAS, DEPTH_FRACTION_BITS};
 use shadegate_reference::raster::{EdgeDda, Point, Viewport, Walk};
@@ -146,49 +150,6 @@ impl Triangle {
     }
 }
 
-/// What a core says about a pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Pixel {
-    /// Column.
-    pub x: u16,
-    /// Row.
-    pub y: u16,
-    /// Colour.
-    pub rgb: [u8; 3],
-    /// Depth.
-    pub depth: u16,
-}
-
-impl Pixel {
-    /// The pixel on offer.
-    pub fn offered(o: &CoreOutputs) -> Self {
-        Self {
-            x: o.x,
-            y: o.y,
-            rgb: o.rgb,
-            depth: o.depth,
-        }
-    }
-}
-
-/// The pixels taken in a trace of [`Machine::draw`].
-pub fn taken(trace: &[CoreOutputs], ready: impl Fn(usize) -> bool) -> Vec<Pixel> {
-    let clocks = trace.iter().enumerate();
-    clocks
-        .filter(|(t, o)| o.valid && ready(*t))
-        .map(|(_, o)| Pixel::offered(o))
-        .collect()
-}
-
-/// Checks that `done` is one in exactly the clocks in which `busy` has just fallen; returns how often.
-pub fn check_done(trace: &[CoreOutputs]) -> usize {
-    for (t, pair) in trace.windows(2).enumerate() {
-        let falls = pair[0].busy && !pair[1].busy;
-        assert_eq!(pair[1].done, falls, "clock {t}");
-    }
-    trace.iter().filter(|o| o.done).count()
-}
-
 /// Triangles with corners in these columns and rows, colours and depths random but within range, each deeper ones
 /// first so that all are visible where a core has drawn before.
 pub fn random_triangles(
@@ -249,93 +210,4 @@ fn edge_words(e: &EdgeDda) -> [u64; 3] {
         pack(e.whole, e.up),
         pack(0, e.down),
     ]
-}
-
-/// A core under simulation with its frame width set.
-pub struct Machine {
-    core: CoreSimulator,
-    /// Which core.
-    pub kind: Core,
-    /// Its frame.
-    pub size: Viewport,
-}
-
-impl Machine {
-    /// A core for a frame.
-    pub fn new(order: Order, width: u32, height: u32) -> Self {
-        let kind = Core::for_frame(order, width, height).unwrap();
-        let mut core = CoreSimulator::new(kind).unwrap();
-        core.clock(&CoreInputs {
-            write: true,
-            select: 11,
-            data: u64::from(width),
-            ..CoreInputs::default()
-        });
-        Self {
-            core,
-            kind,
-            size: Viewport { width, height },
-        }
-    }
-
-    /// One clock.
-    pub fn clock(&mut self, i: &CoreInputs) {
-        self.core.clock(i);
-    }
-
-    /// The outputs now.
-    pub fn outputs(&self) -> CoreOutputs {
-        self.core.outputs()
-    }
-
-    /// One clock of a host that does nothing and takes pixels.
-    pub fn idle(&mut self) {
-        self.clock(&CoreInputs {
-            ready: true,
-            ..CoreInputs::default()
-        });
-    }
-
-    /// Draws triangles with a host that writes whenever it may; `ready` decides per clock. Returns the outputs of
-    /// every clock until the core is idle.
-    pub fn draw(
-        &mut self,
-        triangles: &[Triangle],
-        mut ready: impl FnMut(usize) -> bool,
-    ) -> Vec<CoreOutputs> {
-        let order = self.kind.order;
-        let mut words: Vec<(u8, u64, bool)> = vec![];
-        for t in triangles {
-            let writes = t.writes(order, self.size);
-            let last = writes.len().wrapping_sub(1);
-            words.extend(
-                writes
-                    .iter()
-                    .enumerate()
-                    .map(|(i, w)| (w.0, w.1, i == last)),
-            );
-        }
-        let mut words = words.into_iter().peekable();
-        let mut trace = vec![];
-        loop {
-            let before = self.outputs();
-            let mut i = CoreInputs {
-                ready: ready(trace.len()),
-                ..CoreInputs::default()
-            };
-            if before.load_ready {
-                if let Some((select, data, start)) = words.next() {
-                    i.write = true;
-                    (i.select, i.data, i.start) = (select, data, start);
-                }
-            }
-            trace.push(before);
-            self.clock(&i);
-            if words.peek().is_none() && !self.outputs().busy && !i.start {
-                trace.push(self.outputs());
-                return trace;
-            }
-            assert!(trace.len() < 1_000_000, "the core never gets idle");
-        }
-    }
 }
