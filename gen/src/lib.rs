@@ -1,7 +1,11 @@
 //! From a description and a scene's set-up to files: Verilog, constraints, vectors, test benches, a manifest.
 
 pub mod netlist;
+pub mod package;
+pub mod scene;
 pub mod setup;
+pub mod simulators;
 pub mod stimulus;
-pub mod verilog;
 pub mod vectors;
+pub mod verilog;
+pub mod write;

@@ -59,7 +59,14 @@ pub struct Trace {
 /// Names and widths of the fields of the flags word, low bit first.
 pub const FLAGS: [&str; 4] = ["load_ready", "valid", "busy", "done"];
 /// Names and widths of the fields of the pixel word, low bits first.
-pub const PIXEL: [(&str, u32); 6] = [("x", 11), ("y", 11), ("red", 8), ("green", 8), ("blue", 8), ("depth", 16)];
+pub const PIXEL: [(&str, u32); 6] = [
+    ("x", 11),
+    ("y", 11),
+    ("red", 8),
+    ("green", 8),
+    ("blue", 8),
+    ("depth", 16),
+];
 
 /// The inputs as the first word of a line.
 #[must_use]
@@ -67,16 +74,26 @@ pub fn pack_inputs(i: &CoreInputs, bus_bits: usize) -> u64 {
     let flags = [i.write, i.start, i.clear, i.ready];
     let data = i.data & ((1 << bus_bits) - 1);
     let select = u64::from(i.select) << bus_bits;
-    flags.iter().enumerate().fold(data | select, |w, (k, f)| w | u64::from(*f) << (bus_bits + 8 + k))
+    flags.iter().enumerate().fold(data | select, |w, (k, f)| {
+        w | u64::from(*f) << (bus_bits + 8 + k)
+    })
 }
 
 /// The outputs as the second and third word of a line.
 #[must_use]
 pub fn pack_outputs(o: &CoreOutputs) -> (u64, u64) {
     let flags = [o.load_ready, o.valid, o.busy, o.done];
-    let flags = flags.iter().enumerate().fold(0, |w, (k, f)| w | u64::from(*f) << k);
+    let flags = flags
+        .iter()
+        .enumerate()
+        .fold(0, |w, (k, f)| w | u64::from(*f) << k);
     let [r, g, b] = o.rgb.map(u64::from);
-    let pixel = u64::from(o.x) | u64::from(o.y) << 11 | r << 22 | g << 30 | b << 38 | u64::from(o.depth) << 46;
+    let pixel = u64::from(o.x)
+        | u64::from(o.y) << 11
+        | r << 22
+        | g << 30
+        | b << 38
+        | u64::from(o.depth) << 46;
     (flags, pixel)
 }
 
@@ -87,14 +104,29 @@ impl Trace {
         let mut model = core.model();
         let mut host = Host::new(stimulus);
         let mut outputs = model.outputs();
-        let mut trace = Self { core, clocks: vec![], pixels: vec![], cycles: 0, writes: 0 };
+        let mut trace = Self {
+            core,
+            clocks: vec![],
+            pixels: vec![],
+            cycles: 0,
+            writes: 0,
+        };
         let mut first = None;
         let mut clock = 0;
         while let Step::Drive(inputs) = host.step(&outputs, ready(clock)) {
             if outputs.valid && inputs.ready {
                 let triangle = stimulus.primitives[model.ordinal() as usize - 1].triangle;
-                let CoreOutputs { x, y, rgb, depth, .. } = outputs;
-                trace.pixels.push(Pixel { clock: clock as usize - 1, x, y, rgb, depth, triangle });
+                let CoreOutputs {
+                    x, y, rgb, depth, ..
+                } = outputs;
+                trace.pixels.push(Pixel {
+                    clock: clock as usize - 1,
+                    x,
+                    y,
+                    rgb,
+                    depth,
+                    triangle,
+                });
             }
             let frame_write = clock < stimulus.frame.len() as u64;
             if first.is_none() && !frame_write && (inputs.write || inputs.start) {
@@ -124,7 +156,11 @@ impl Trace {
         );
         for c in &self.clocks {
             let (flags, pixel) = pack_outputs(&c.outputs);
-            let _ = writeln!(out, "{:x} {flags:x} {pixel:x}", pack_inputs(&c.inputs, bits));
+            let _ = writeln!(
+                out,
+                "{:x} {flags:x} {pixel:x}",
+                pack_inputs(&c.inputs, bits)
+            );
         }
         out
     }

@@ -1,3 +1,6 @@
-//! Runs cores beside the reference renderer and says where their frames differ.
+//! Engines, co-simulation and comparison: is every pixel the expected one, how far is it from the truth, and how many
+//! clocks did it take.
 
 pub mod compare;
+pub mod cosim;
+pub mod engine;

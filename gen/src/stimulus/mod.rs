@@ -2,6 +2,8 @@
 
 mod build;
 mod host;
+mod sample;
 
-pub use build::{build, Stimulus, StimulusError, StimulusOptions, Triangle};
+pub use build::{build, Primitive, Stimulus, StimulusError, StimulusOptions, Triangle};
 pub use host::{Host, Step};
+pub use sample::sample_triangles;

@@ -1,0 +1,165 @@
+//! `manifest.json`: what a package is, for people and tools.
+
+use super::{Rtl, Target};
+use crate::netlist::SignalKind;
+use crate::vectors::Trace;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// A port of the top module.
+#[derive(Clone, Debug, Serialize)]
+pub struct PortEntry {
+    /// Name.
+    pub name: String,
+    /// `input` or `output`.
+    pub direction: &'static str,
+    /// Bits.
+    pub width: usize,
+    /// What it means.
+    pub description: String,
+}
+
+/// A fixed-point format.
+#[derive(Clone, Debug, Serialize)]
+pub struct FormatEntry {
+    /// Integer bits, without the sign.
+    pub int: usize,
+    /// Fraction bits.
+    pub frac: usize,
+    /// Bits in all.
+    pub width: usize,
+}
+
+/// Block RAM for the depth memory.
+#[derive(Clone, Debug, Serialize)]
+pub struct BlockRam {
+    /// Kilobits that the depth memory holds.
+    pub needed_kbit: f64,
+    /// Kilobits of the device, if one is named.
+    pub available_kbit: Option<u32>,
+    /// Whether they suffice.
+    pub fits: Option<bool>,
+}
+
+/// The manifest.
+#[derive(Clone, Debug, Serialize)]
+pub struct Manifest {
+    /// Core.
+    pub core: String,
+    /// Device part, or null.
+    pub target: Option<String>,
+    /// Board, or null.
+    pub board: Option<String>,
+    /// Files, by path inside the package.
+    pub files: Vec<String>,
+    /// Ports of the top module.
+    pub ports: Vec<PortEntry>,
+    /// Formats by signal class: colour, depth, column, error term.
+    pub formats: BTreeMap<&'static str, FormatEntry>,
+    /// Clocks from `start` to the first pixel.
+    pub latency: u32,
+    /// Largest arithmetic error before the final rounding, LSB, for the longest run in this frame.
+    pub error_bound_lsb: f64,
+    /// Columns and rows of the frame.
+    pub frame: (u32, u32),
+    /// Depth memory.
+    pub block_ram: BlockRam,
+    /// Clocks and pixels of the vectors.
+    pub vectors: BTreeMap<&'static str, u64>,
+    /// Hash that names this configuration.
+    pub configuration: String,
+    /// Version of the generator.
+    pub generator: String,
+}
+
+impl Manifest {
+    /// As indented JSON.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
+    }
+}
+
+/// Clocks from the edge that sees `start` to the edge that shows the first pixel, both cores.
+pub const LATENCY: u32 = 5;
+
+fn entry(int: usize, frac: usize) -> FormatEntry {
+    FormatEntry {
+        int,
+        frac,
+        width: 1 + int + frac,
+    }
+}
+
+/// Fills in the manifest.
+pub fn manifest(
+    rtl: &Rtl,
+    trace: &Trace,
+    size: (u32, u32),
+    target: Option<Target>,
+    files: Vec<String>,
+) -> Manifest {
+    let core = &trace.core;
+    let ports = rtl.top.signals.iter().filter_map(|s| {
+        let direction = match s.kind {
+            SignalKind::Input => "input",
+            SignalKind::Output => "output",
+            _ => return None,
+        };
+        Some(PortEntry {
+            name: s.name.clone(),
+            direction,
+            width: s.format.width(),
+            description: s.doc.clone(),
+        })
+    });
+    let formats = BTreeMap::from([
+        (
+            "colour",
+            entry(
+                shadegate_hdl::shade::COLOUR_INTEGER_BITS,
+                core.fraction_bits(),
+            ),
+        ),
+        (
+            "depth",
+            entry(
+                shadegate_hdl::shade::DEPTH_INTEGER_BITS,
+                shadegate_hdl::shade::DEPTH_FRACTION_BITS,
+            ),
+        ),
+        ("column", entry(shadegate_hdl::raster::COLUMN_BITS - 1, 0)),
+        (
+            "edge_error",
+            entry(shadegate_hdl::raster::ERROR_BITS - 1, 0),
+        ),
+    ]);
+    let needed_kbit = core.pixels as f64 * 16.0 / 1024.0;
+    let available_kbit = target.map(|t| t.device.block_ram_total_kbit());
+    let part = |t: Target| match t.board {
+        Some(b) => t.device.part_in(&b.package, b.speed),
+        None => t.device.part(),
+    };
+    Manifest {
+        core: core.name().to_string(),
+        target: target.map(part),
+        board: target.and_then(|t| t.board).map(|b| b.name.clone()),
+        files,
+        ports: ports.collect(),
+        formats,
+        latency: LATENCY,
+        error_bound_lsb: core.error_bound(size.0 + 2 * size.1),
+        frame: size,
+        block_ram: BlockRam {
+            needed_kbit,
+            available_kbit,
+            fits: available_kbit.map(|a| needed_kbit <= f64::from(a)),
+        },
+        vectors: BTreeMap::from([
+            ("clocks", trace.clocks.len() as u64),
+            ("pixels", trace.pixels.len() as u64),
+        ]),
+        configuration: rtl.configuration.clone(),
+        generator: format!("shadegate {}", env!("CARGO_PKG_VERSION")),
+    }
+}

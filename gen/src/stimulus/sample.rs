@@ -1,0 +1,68 @@
+//! Triangles for a core that is generated without a scene: enough to exercise every register and every case of the walk.
+
+use super::Triangle;
+use shadegate_hdl::shade::model::Order;
+use shadegate_reference::raster::{Point, Viewport, SUBPIXELS};
+
+/// A small linear congruential generator (Knuth's MMIX constants): vectors must be the same on every machine and in
+/// every release, which no general-purpose generator promises.
+struct Draw(u64);
+
+impl Draw {
+    fn below(&mut self, limit: u64) -> u64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) % limit.max(1)
+    }
+}
+
+/// `count` triangles of mixed size and shape in (and a little around) the frame: both orientations, level edges,
+/// slivers, single pixels, shared corners, overlapping depths.
+#[must_use]
+pub fn sample_triangles(
+    order: Order,
+    viewport: Viewport,
+    count: usize,
+    seed: u64,
+) -> Vec<Triangle> {
+    let mut draw = Draw(seed);
+    let (w, h) = (u64::from(viewport.width), u64::from(viewport.height));
+    let sub = SUBPIXELS as u64;
+    let knots = if order == Order::Linear { 3 } else { 6 };
+    let mut out: Vec<Triangle> = vec![];
+    for i in 0..count {
+        let reach = [2, 5, 12, 40, w.max(h)][draw.below(5) as usize];
+        let (cx, cy) = (draw.below(w * sub) as i64, draw.below(h * sub) as i64);
+        let mut corner = || {
+            let mut offset = || (draw.below(2 * reach * sub) as i64 - (reach * sub) as i64) / 2;
+            let margin = |v: i64, size: u64| {
+                v.clamp(-((size * sub) as i64) / 4, (size * sub * 5 / 4) as i64) as i32
+            };
+            Point {
+                x: margin(cx + offset(), w),
+                y: margin(cy + offset(), h),
+            }
+        };
+        let mut position = [corner(), corner(), corner()];
+        match i % 8 {
+            1 => position[1].y = position[0].y,
+            2 => position[2].y = position[1].y,
+            3 => position[2].x = position[0].x + (position[2].x - position[0].x) / 16,
+            4 if !out.is_empty() => position[0] = out[out.len() - 1].position[1],
+            _ => {}
+        }
+        let depth = std::array::from_fn(|_| draw.below(65_536) as f64);
+        let knots = (0..knots)
+            .map(|_| std::array::from_fn(|_| draw.below(256) as f64))
+            .collect();
+        out.push(Triangle {
+            position,
+            depth,
+            knots,
+            label: format!("sample {i}"),
+        });
+    }
+    out
+}

@@ -1,0 +1,88 @@
+//! Frames from pixel streams, and the arithmetic error of every pixel that a core hands over.
+
+use super::Prelude;
+use shadegate_hdl::shade::model::Order;
+use shadegate_reference::{shade, to_byte, Prepared};
+
+/// The four frames of a co-simulation, row by row.
+pub struct Frames {
+    /// The integer model's.
+    pub expected: Vec<[u8; 3]>,
+    /// The engine's.
+    pub simulated: Vec<[u8; 3]>,
+    /// The same method in f64.
+    pub method: Vec<[u8; 3]>,
+    /// The truth.
+    pub exact: Vec<[u8; 3]>,
+}
+
+/// Pixels over the background, later ones over earlier ones. Pixels outside the frame cannot be placed and are left
+/// out; an engine that makes some differs from the model in that clock anyway.
+fn frame(p: &Prepared, pixels: &[(u16, u16, [u8; 3])]) -> Vec<[u8; 3]> {
+    let mut out = vec![p.background; p.width as usize * p.height as usize];
+    for (x, y, rgb) in pixels {
+        let inside = u32::from(*x) < p.width && u32::from(*y) < p.height;
+        if let Some(to) = out
+            .get_mut(usize::from(*y) * p.width as usize + usize::from(*x))
+            .filter(|_| inside)
+        {
+            *to = *rgb;
+        }
+    }
+    out
+}
+
+impl Frames {
+    /// Draws both streams.
+    pub fn new(
+        p: &Prepared,
+        expected: &[(u16, u16, [u8; 3])],
+        simulated: &[(u16, u16, [u8; 3])],
+        method: &[[u8; 3]],
+        exact: &[[u8; 3]],
+    ) -> Self {
+        Self {
+            expected: frame(p, expected),
+            simulated: frame(p, simulated),
+            method: method.to_vec(),
+            exact: exact.to_vec(),
+        }
+    }
+}
+
+/// Error of the core's pixels against the method in f64, each at its own triangle, so that visibility plays no part.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FragmentError {
+    /// Largest difference of a channel, LSB.
+    pub max_lsb: u8,
+    /// Root mean square over all channels, LSB.
+    pub rms_lsb: f64,
+}
+
+/// Compares every pixel handed over (also those that nearer ones replace later) with the f64 oracle.
+pub fn fragment_error(p: &Prelude) -> FragmentError {
+    let mut out = FragmentError::default();
+    let mut sum = 0.0;
+    for pixel in &p.trace.pixels {
+        let t = &p.triangles[pixel.triangle];
+        let (x, y) = (i32::from(pixel.x), i32::from(pixel.y));
+        let value = match p.trace.core.order {
+            Order::Linear => {
+                let knots: [[f64; 3]; 3] = std::array::from_fn(|i| t.knots[i]);
+                shade::gouraud::value(&t.position, &knots, x, y)
+            }
+            Order::Quadratic => {
+                let knots: [[f64; 3]; 6] = std::array::from_fn(|i| t.knots[i]);
+                shade::quadratic::value(&t.position, &knots, x, y)
+            }
+        };
+        for (want, got) in value.into_iter().zip(pixel.rgb) {
+            let d = to_byte(want).abs_diff(got);
+            out.max_lsb = out.max_lsb.max(d);
+            sum += f64::from(d).powi(2);
+        }
+    }
+    let n = p.trace.pixels.len() * 3;
+    out.rms_lsb = if n == 0 { 0.0 } else { (sum / n as f64).sqrt() };
+    out
+}

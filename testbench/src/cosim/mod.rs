@@ -1,0 +1,191 @@
+//! The main job: scene → set-up → stimulus → engine → frame → judgement.
+
+mod frames;
+mod report;
+mod write;
+
+pub use report::{CosimReport, ErrorReport, FirstMismatch, FormatReport, HostReport, TimeReport};
+
+use crate::compare::{compare, Rgb8Ref};
+use crate::engine::{run, Engine, EngineError, Wave};
+use frames::Frames;
+use shadegate_gen::package::{package, rtl, Package, PackageError};
+use shadegate_gen::scene::{method_of, order_of, triangles};
+use shadegate_gen::stimulus::{build, StimulusError, StimulusOptions};
+use shadegate_gen::vectors::Trace;
+use shadegate_gen::write::WriteError;
+use shadegate_hdl::shade::device::{Core, MAX_HEIGHT, MAX_WIDTH, WIDE_RUN};
+use shadegate_reference::raster::Viewport;
+use shadegate_reference::{render, Method, Prepared, RenderOptions, Scene, SceneError, Skips};
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// What to run.
+#[derive(Clone, Debug)]
+pub struct CosimOptions {
+    /// Shading method; it must have a core.
+    pub method: Method,
+    /// Engine.
+    pub engine: Engine,
+    /// Frame size instead of the scene's.
+    pub size: Option<(u32, u32)>,
+    /// Waveform of a window of clocks.
+    pub wave: Option<Wave>,
+    /// Where frames, Verilog and reports go; nothing is written without it.
+    pub output: Option<PathBuf>,
+    /// What the host leaves out.
+    pub stimulus: StimulusOptions,
+    /// The command line, for reports.
+    pub command: String,
+}
+
+/// Why a co-simulation could not be done.
+#[derive(Debug, thiserror::Error)]
+pub enum CosimError {
+    /// The scene.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The method has no core.
+    #[error("method '{0}' has no core; methods with a core: gouraud, quadratic")]
+    NoCore(Method),
+    /// The frame exceeds the core's coordinates.
+    #[error(
+        "frame {width}x{height} exceeds the core's coordinate range: at most {MAX_WIDTH} columns, {MAX_HEIGHT} rows, \
+         and columns + 2·rows at most {WIDE_RUN}"
+    )]
+    TooLarge {
+        /// Columns.
+        width: u32,
+        /// Rows.
+        height: u32,
+    },
+    /// A triangle exceeds the core's formats.
+    #[error(transparent)]
+    Stimulus(#[from] StimulusError),
+    /// The Verilog cannot be emitted: a defect.
+    #[error(transparent)]
+    Package(#[from] PackageError),
+    /// The engine.
+    #[error(transparent)]
+    Engine(#[from] EngineError),
+    /// A file cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    /// Frames that cannot be compared or saved.
+    #[error(transparent)]
+    Compare(#[from] crate::compare::CompareError),
+    /// A temporary directory.
+    #[error("temporary directory: {0}")]
+    Scratch(std::io::Error),
+}
+
+/// The core for a method and frame.
+///
+/// # Errors
+/// Methods without a core, frames beyond the coordinate range.
+pub fn core_for(method: Method, width: u32, height: u32) -> Result<Core, CosimError> {
+    let order = order_of(method).ok_or(CosimError::NoCore(method))?;
+    Core::for_frame(order, width, height).ok_or(CosimError::TooLarge { width, height })
+}
+
+/// Everything that is known before an engine runs.
+pub struct Prelude {
+    /// The prepared scene.
+    pub prepared: Prepared,
+    /// The recorded run of the integer model.
+    pub trace: Trace,
+    /// Emitted files.
+    pub package: Package,
+    /// Triangles that are sent to the core, and what is left out.
+    pub host: HostReport,
+    /// Triangles as the core sees them.
+    pub triangles: Vec<shadegate_gen::stimulus::Triangle>,
+    setup_ns: u64,
+    emit_ns: u64,
+}
+
+/// Sets a scene up for a core: knots, words, expected outputs, Verilog.
+///
+/// # Errors
+/// See [`CosimError`].
+pub fn prelude(
+    scene: &Scene,
+    method: Method,
+    size: Option<(u32, u32)>,
+    stimulus: &StimulusOptions,
+) -> Result<Prelude, CosimError> {
+    let begin = Instant::now();
+    let (width, height) = size.unwrap_or((scene.image.width, scene.image.height));
+    let core = core_for(method, width, height)?;
+    let prepared = Prepared::new(scene, Some((width, height)), &Skips::all())?;
+    let triangles = triangles(&prepared, core.order);
+    let stimulus = build(&core, &triangles, Viewport { width, height }, stimulus)?;
+    let setup_ns = begin.elapsed().as_nanos() as u64;
+    let trace = Trace::record(core, &stimulus, |_| true);
+    let begin = Instant::now();
+    let package = package(&rtl(&core)?, &trace, (width, height), None)?;
+    let emit_ns = begin.elapsed().as_nanos() as u64;
+    let host = HostReport::new(&stimulus, &trace);
+    Ok(Prelude {
+        prepared,
+        trace,
+        package,
+        host,
+        triangles,
+        setup_ns,
+        emit_ns,
+    })
+}
+
+/// Runs a co-simulation and writes its results.
+///
+/// # Errors
+/// See [`CosimError`]. A mismatch is not an error: it is in the report.
+pub fn cosim(scene: &Scene, o: &CosimOptions) -> Result<CosimReport, CosimError> {
+    let p = prelude(scene, o.method, o.size, &o.stimulus)?;
+    let scratch = tempfile::tempdir().map_err(CosimError::Scratch)?;
+    let result = run(
+        o.engine,
+        &p.trace,
+        &p.package.files,
+        scratch.path(),
+        o.wave.as_ref(),
+    )?;
+    let begin = Instant::now();
+    let expected: Vec<_> = p.trace.pixels.iter().map(|x| (x.x, x.y, x.rgb)).collect();
+    let (method_frame, _) = render(
+        &p.prepared,
+        method_of(p.trace.core.order),
+        &RenderOptions::default(),
+    );
+    let (exact_frame, _) = render(&p.prepared, Method::Exact, &RenderOptions::default());
+    let frames = Frames::new(
+        &p.prepared,
+        &expected,
+        &result.pixels,
+        &method_frame.pixels,
+        &exact_frame.pixels,
+    );
+    let view = |pixels| Rgb8Ref::new(p.prepared.width, p.prepared.height, pixels);
+    let simulated = view(&frames.simulated)?;
+    let against_expected = compare(view(&frames.expected)?, simulated)?;
+    let against_method = compare(view(&frames.method)?, simulated)?;
+    let against_exact = compare(view(&frames.exact)?, simulated)?;
+    let fragments = frames::fragment_error(&p);
+    let compare_ns = begin.elapsed().as_nanos() as u64;
+    let report = CosimReport::new(report::Inputs {
+        prelude: &p,
+        options: o,
+        scene_name: &scene.name,
+        run: &result,
+        against_expected: &against_expected,
+        against_method: &against_method,
+        against_exact: &against_exact,
+        fragments,
+        compare_ns,
+    });
+    if let Some(directory) = &o.output {
+        write::write(directory, &p, &frames, &report)?;
+    }
+    Ok(report)
+}

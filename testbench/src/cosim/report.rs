@@ -1,0 +1,254 @@
+//! The report of a co-simulation: stable JSON keys, documented in `docs/`.
+
+use super::frames::FragmentError;
+use super::{CosimOptions, Prelude};
+use crate::compare::Comparison;
+use crate::engine::Run;
+use serde::Serialize;
+use shadegate_gen::stimulus::Stimulus;
+use shadegate_gen::vectors::Trace;
+use shadegate_hdl::shade::{COLOUR_INTEGER_BITS, DEPTH_FRACTION_BITS, DEPTH_INTEGER_BITS};
+use std::collections::BTreeMap;
+
+/// Error of one frame against another.
+#[derive(Clone, Debug, Serialize)]
+pub struct ErrorReport {
+    /// Largest difference of a channel, LSB.
+    pub max_lsb: u8,
+    /// Root mean square over all channels, LSB.
+    pub rms_lsb: f64,
+    /// Peak signal-to-noise ratio, dB; null for equal frames.
+    pub psnr_db: Option<f64>,
+    /// Mean FLIP.
+    pub flip_mean: f64,
+}
+
+impl From<&Comparison> for ErrorReport {
+    fn from(c: &Comparison) -> Self {
+        let psnr_db = c.psnr_db.is_finite().then_some(c.psnr_db);
+        Self {
+            max_lsb: c.max_lsb,
+            rms_lsb: c.rms_lsb,
+            psnr_db,
+            flip_mean: f64::from(c.flip_mean as f32),
+        }
+    }
+}
+
+/// Where expected and simulated first differ, and how to see it again.
+#[derive(Clone, Debug, Serialize)]
+pub struct FirstMismatch {
+    /// Clock, from 0.
+    pub cycle: u64,
+    /// Output.
+    pub signal: String,
+    /// Value of the integer model.
+    pub expected: u64,
+    /// Value of the engine.
+    pub got: u64,
+    /// Pixel that the model shows in this clock.
+    pub pixel: (u32, u32),
+    /// Its triangle.
+    pub triangle: Option<String>,
+    /// A command that shows the clocks around it.
+    pub reproduce: String,
+}
+
+/// A format in use.
+#[derive(Clone, Debug, Serialize)]
+pub struct FormatReport {
+    /// Integer bits, without the sign.
+    pub int: usize,
+    /// Fraction bits.
+    pub frac: usize,
+}
+
+/// What the host sent and what it left out.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct HostReport {
+    /// Triangles sent.
+    pub triangles: u64,
+    /// Register writes sent.
+    pub writes: u64,
+    /// Left out, by reason.
+    pub skipped: BTreeMap<&'static str, u64>,
+}
+
+impl HostReport {
+    /// Counts of a stimulus and its run.
+    pub(super) fn new(s: &Stimulus, t: &Trace) -> Self {
+        Self {
+            triangles: s.primitives.len() as u64,
+            writes: t.writes,
+            skipped: BTreeMap::from([
+                ("unchanged-words", s.skipped_unchanged),
+                ("broadcast-words", s.skipped_broadcast),
+                ("uncovered-triangles", s.skipped_uncovered),
+            ]),
+        }
+    }
+}
+
+/// Where the time went.
+#[derive(Clone, Debug, Serialize)]
+pub struct TimeReport {
+    /// Scene to register words.
+    pub setup: u64,
+    /// Verilog and vectors.
+    pub emit: u64,
+    /// Building the simulator (Icarus, Verilator); zero if it was kept from an earlier run.
+    pub build: u64,
+    /// The simulation.
+    pub simulate: u64,
+    /// Reference frames and comparison.
+    pub compare: u64,
+}
+
+/// The report; field names are the JSON keys.
+#[derive(Clone, Debug, Serialize)]
+pub struct CosimReport {
+    /// Scene.
+    pub scene: String,
+    /// Method.
+    pub method: String,
+    /// Core.
+    pub core: String,
+    /// Engine.
+    pub engine: String,
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// Clocks from the first register write of a triangle to `done`.
+    pub cycles: u64,
+    /// Pixels handed over by the core.
+    pub pixels: u64,
+    /// Pixels per clock.
+    pub pixels_per_cycle: f64,
+    /// Clocks simulated per second, stimulus and pixel capture included.
+    pub cycles_per_second: f64,
+    /// Clocks with a difference in any output, plus pixels of the frame that differ.
+    pub mismatches: u64,
+    /// The first of them.
+    pub first_mismatch: Option<FirstMismatch>,
+    /// Simulated frame against `exact`.
+    pub error: ErrorReport,
+    /// Simulated frame against the same method in f64.
+    pub method_f64: ErrorReport,
+    /// Every pixel handed over against the same method in f64 at its own triangle: the arithmetic error alone.
+    pub arithmetic: BTreeMap<&'static str, f64>,
+    /// Proved bound of the arithmetic error before the final rounding, LSB.
+    pub error_bound_lsb: f64,
+    /// Formats.
+    pub formats: BTreeMap<&'static str, FormatReport>,
+    /// What the host sent.
+    pub host: HostReport,
+    /// Where the time went, ns.
+    pub time_ns: TimeReport,
+    /// The simulator's build came from the cache.
+    pub build_cached: bool,
+    /// Configuration of the emitted core.
+    pub configuration: String,
+}
+
+/// Everything a report is made of.
+pub(super) struct Inputs<'a> {
+    pub prelude: &'a Prelude,
+    pub options: &'a CosimOptions,
+    pub scene_name: &'a str,
+    pub run: &'a Run,
+    pub against_expected: &'a Comparison,
+    pub against_method: &'a Comparison,
+    pub against_exact: &'a Comparison,
+    pub fragments: FragmentError,
+    pub compare_ns: u64,
+}
+
+/// Clocks shown on either side of a mismatch.
+const WINDOW: u64 = 20;
+
+fn first_mismatch(i: &Inputs) -> Option<FirstMismatch> {
+    let first = i.run.first.as_ref()?;
+    let near = i
+        .prelude
+        .trace
+        .pixels
+        .iter()
+        .find(|p| p.clock as u64 >= first.cycle);
+    let triangle = near
+        .and_then(|p| i.prelude.triangles.get(p.triangle))
+        .map(|t| t.label.clone());
+    let (from, to) = (first.cycle.saturating_sub(WINDOW), first.cycle + WINDOW);
+    Some(FirstMismatch {
+        cycle: first.cycle,
+        signal: first.signal.clone(),
+        expected: first.expected,
+        got: first.got,
+        pixel: (first.x, first.y),
+        triangle,
+        reproduce: format!(
+            "{} --wave mismatch.vcd --from {from} --to {to}",
+            i.options.command
+        ),
+    })
+}
+
+impl CosimReport {
+    pub(super) fn new(i: Inputs) -> Self {
+        let p = i.prelude;
+        let core = &p.trace.core;
+        let (width, height) = (p.prepared.width, p.prepared.height);
+        let pixels = i.run.pixels.len() as u64;
+        let format = |int, frac| FormatReport { int, frac };
+        let seconds = i.run.simulate_ns as f64 / 1e9;
+        Self {
+            scene: i.scene_name.to_string(),
+            method: i.options.method.to_string(),
+            core: core.name().to_string(),
+            engine: i.options.engine.to_string(),
+            width,
+            height,
+            cycles: p.trace.cycles,
+            pixels,
+            pixels_per_cycle: if p.trace.cycles == 0 {
+                0.0
+            } else {
+                pixels as f64 / p.trace.cycles as f64
+            },
+            cycles_per_second: if seconds > 0.0 {
+                i.run.cycles as f64 / seconds
+            } else {
+                0.0
+            },
+            mismatches: i.run.mismatches + i.against_expected.differing as u64,
+            first_mismatch: first_mismatch(&i),
+            error: i.against_exact.into(),
+            method_f64: i.against_method.into(),
+            arithmetic: BTreeMap::from([
+                ("max_lsb", f64::from(i.fragments.max_lsb)),
+                ("rms_lsb", i.fragments.rms_lsb),
+            ]),
+            error_bound_lsb: core.error_bound(width + 2 * height),
+            formats: BTreeMap::from([
+                ("colour", format(COLOUR_INTEGER_BITS, core.fraction_bits())),
+                ("depth", format(DEPTH_INTEGER_BITS, DEPTH_FRACTION_BITS)),
+            ]),
+            host: p.host.clone(),
+            time_ns: TimeReport {
+                setup: p.setup_ns,
+                emit: p.emit_ns,
+                build: i.run.build_ns,
+                simulate: i.run.simulate_ns,
+                compare: i.compare_ns,
+            },
+            build_cached: i.run.build_cached,
+            configuration: p.package.manifest.configuration.clone(),
+        }
+    }
+
+    /// Whether every check holds: no mismatch, and an arithmetic error of at most one LSB.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.mismatches == 0 && self.arithmetic["max_lsb"] <= 1.0
+    }
+}

@@ -1,0 +1,150 @@
+//! Running other programs, and reading what the generated test benches print.
+
+use super::{Engine, EngineError, Run, SignalMismatch};
+use shadegate_gen::package::PackageFile;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The path of a program on PATH.
+#[must_use]
+pub fn find_tool(name: &str) -> Option<PathBuf> {
+    let paths = std::env::var_os("PATH")?;
+    std::env::split_paths(&paths)
+        .map(|p| p.join(name))
+        .find(|p| p.is_file())
+}
+
+/// Writes the package's files below `directory`.
+pub fn unpack(
+    engine: Engine,
+    package: &[PackageFile],
+    directory: &Path,
+) -> Result<(), EngineError> {
+    for f in package {
+        let path = directory.join(&f.path);
+        shadegate_gen::write::write_file(&path, f.text.as_bytes()).map_err(|e| {
+            EngineError::Failed {
+                engine,
+                what: e.to_string(),
+            }
+        })?;
+    }
+    Ok(())
+}
+
+/// Runs a program to its end; its standard output, or what went wrong with the last lines it said.
+pub fn output(
+    engine: Engine,
+    command: &mut Command,
+    accept_failure: bool,
+) -> Result<String, EngineError> {
+    let program = command.get_program().to_string_lossy().to_string();
+    let out = command.output().map_err(|e| EngineError::Failed {
+        engine,
+        what: format!("cannot run {program}: {e}"),
+    })?;
+    let text = String::from_utf8_lossy(&out.stdout).to_string();
+    if out.status.success() || accept_failure {
+        return Ok(text);
+    }
+    let said = String::from_utf8_lossy(&out.stderr).to_string() + &text;
+    let lines: Vec<&str> = said.lines().filter(|l| !l.trim().is_empty()).collect();
+    let tail = lines[lines.len().saturating_sub(5)..].join(" | ");
+    Err(EngineError::Failed {
+        engine,
+        what: format!("{program} failed ({}): {tail}", out.status),
+    })
+}
+
+fn field<'a>(line: &'a str, key: &str) -> Option<&'a str> {
+    line.split_whitespace()
+        .find_map(|w| w.strip_prefix(key)?.strip_prefix('='))
+}
+
+/// What a test bench printed: `MISMATCH …`, then `PASS …` or `FAIL …`.
+pub fn read_verdict(engine: Engine, text: &str) -> Result<Run, EngineError> {
+    let failed = |what: String| EngineError::Failed { engine, what };
+    let verdict = text
+        .lines()
+        .find(|l| l.starts_with("PASS ") || l.starts_with("FAIL "));
+    let verdict = verdict
+        .ok_or_else(|| failed(format!("the test bench gave no verdict: {}", text.trim())))?;
+    let number = |line: &str, key: &str| field(line, key).and_then(|v| v.parse::<u64>().ok());
+    let cycles = number(verdict, "clocks").ok_or_else(|| failed(verdict.to_string()))?;
+    let first = text
+        .lines()
+        .find(|l| l.starts_with("MISMATCH "))
+        .map(|l| SignalMismatch {
+            cycle: number(l, "clock").unwrap_or_default(),
+            signal: field(l, "signal").unwrap_or("?").to_string(),
+            expected: field(l, "expected")
+                .and_then(|v| u64::from_str_radix(v, 16).ok())
+                .unwrap_or_default(),
+            // Four-valued: an unknown bit has no number.
+            got: field(l, "got")
+                .and_then(|v| u64::from_str_radix(v, 16).ok())
+                .unwrap_or(u64::MAX),
+            x: number(l, "x").unwrap_or_default() as u32,
+            y: number(l, "y").unwrap_or_default() as u32,
+        });
+    let mismatches = if verdict.starts_with("PASS") {
+        0
+    } else {
+        number(verdict, "mismatches").unwrap_or(1)
+    };
+    Ok(Run {
+        mismatches,
+        first,
+        cycles,
+        ..Run::default()
+    })
+}
+
+/// Reads `x y red green blue` lines.
+pub fn read_pixels(engine: Engine, path: &Path) -> Result<Vec<(u16, u16, [u8; 3])>, EngineError> {
+    let error = |what: String| EngineError::Failed {
+        engine,
+        what: format!("{}: {what}", path.display()),
+    };
+    let text = std::fs::read_to_string(path).map_err(|e| error(e.to_string()))?;
+    let mut pixels = vec![];
+    for (i, line) in text.lines().enumerate() {
+        let numbers: Vec<u16> = line
+            .split_whitespace()
+            .map_while(|w| w.parse().ok())
+            .collect();
+        let [x, y, r, g, b] = numbers[..] else {
+            return Err(error(format!(
+                "line {}: five numbers expected, not `{line}`",
+                i + 1
+            )));
+        };
+        pixels.push((x, y, [r as u8, g as u8, b as u8]));
+    }
+    Ok(pixels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn verdicts_are_read() {
+        let text = "MISMATCH clock=17 signal=red expected=00ff got=00fe x=3 y=4\nFAIL clocks=100 mismatches=9\n";
+        let run = read_verdict(Engine::Icarus, text).unwrap();
+        assert_eq!((run.cycles, run.mismatches), (100, 9));
+        let want = SignalMismatch {
+            cycle: 17,
+            signal: "red".into(),
+            expected: 255,
+            got: 254,
+            x: 3,
+            y: 4,
+        };
+        assert_eq!(run.first, Some(want));
+        let run = read_verdict(Engine::Icarus, "PASS clocks=5 pixels=1\n").unwrap();
+        assert_eq!((run.cycles, run.mismatches, run.first), (5, 0, None));
+        assert!(read_verdict(Engine::Icarus, "nothing").is_err());
+        assert!(read_verdict(Engine::Icarus, "FAIL cannot open vectors.txt").is_err());
+    }
+}

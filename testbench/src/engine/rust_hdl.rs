@@ -1,0 +1,136 @@
+//! rust-hdl in this process: the description itself, clocked by hand.
+
+use super::{Engine, EngineError, Run, SignalMismatch, Wave};
+use rust_hdl_core::vcd_probe::{write_vcd_change, write_vcd_dump, write_vcd_header, VCDProbe};
+use shadegate_gen::vectors::Trace;
+use shadegate_hdl::shade::device::CoreSimulator;
+use shadegate_hdl::shade::model::CoreOutputs;
+use std::fs::File;
+use std::io::BufWriter;
+use std::path::Path;
+use std::time::Instant;
+use tempfile::NamedTempFile;
+
+const ENGINE: Engine = Engine::RustHdl;
+
+/// The first output that differs.
+fn difference(cycle: usize, want: &CoreOutputs, got: &CoreOutputs) -> Option<SignalMismatch> {
+    let fields = |o: &CoreOutputs| {
+        [
+            ("load_ready", u64::from(o.load_ready)),
+            ("valid", u64::from(o.valid)),
+            ("busy", u64::from(o.busy)),
+            ("done", u64::from(o.done)),
+            ("x", u64::from(o.x)),
+            ("y", u64::from(o.y)),
+            ("red", u64::from(o.rgb[0])),
+            ("green", u64::from(o.rgb[1])),
+            ("blue", u64::from(o.rgb[2])),
+            ("depth", u64::from(o.depth)),
+        ]
+    };
+    let pairs = fields(want).into_iter().zip(fields(got));
+    pairs
+        .into_iter()
+        .find(|(w, g)| w.1 != g.1)
+        .map(|(w, g)| SignalMismatch {
+            cycle: cycle as u64,
+            signal: w.0.to_string(),
+            expected: w.1,
+            got: g.1,
+            x: u32::from(want.x),
+            y: u32::from(want.y),
+        })
+}
+
+/// Picoseconds per clock in the waveform.
+const CLOCK_PS: u64 = 10_000;
+
+/// A waveform under construction: written beside its place, moved there when it is whole.
+struct Waveform {
+    probe: VCDProbe<BufWriter<File>>,
+    file: NamedTempFile,
+}
+
+impl Waveform {
+    fn begin(wave: &Wave, simulator: &CoreSimulator) -> std::io::Result<Self> {
+        let parent = wave
+            .file
+            .parent()
+            .filter(|p| !p.as_os_str().is_empty())
+            .unwrap_or(Path::new("."));
+        let file = NamedTempFile::new_in(parent)?;
+        let header = write_vcd_header(BufWriter::new(file.reopen()?), simulator.design());
+        Ok(Self {
+            probe: write_vcd_dump(header, simulator.design()),
+            file,
+        })
+    }
+
+    fn change(mut self, cycle: usize, simulator: &CoreSimulator) -> std::io::Result<Self> {
+        self.probe.timestamp(cycle as u64 * CLOCK_PS)?;
+        Ok(Self {
+            probe: write_vcd_change(self.probe, simulator.design()),
+            ..self
+        })
+    }
+
+    fn end(self, wave: &Wave) -> std::io::Result<()> {
+        drop(self.probe);
+        self.file.persist(&wave.file)?;
+        Ok(())
+    }
+}
+
+/// Clocks the description through the trace.
+pub fn run(trace: &Trace, wave: Option<&Wave>) -> Result<Run, EngineError> {
+    let failed = |what: String| EngineError::Failed {
+        engine: ENGINE,
+        what,
+    };
+    let wave_failed = |w: &Wave, e: std::io::Error| {
+        failed(format!("{}: cannot be written: {e}", w.file.display()))
+    };
+    let mut simulator = CoreSimulator::new(trace.core).map_err(failed)?;
+    let mut run = Run {
+        cycles: trace.clocks.len() as u64,
+        ..Run::default()
+    };
+    let mut waveform: Option<Waveform> = None;
+    let begin = Instant::now();
+    let mut before = simulator.outputs();
+    for (cycle, clock) in trace.clocks.iter().enumerate() {
+        if before.valid && clock.inputs.ready {
+            run.pixels.push((before.x, before.y, before.rgb));
+        }
+        simulator.clock(&clock.inputs);
+        let after = simulator.outputs();
+        if after != clock.outputs {
+            run.mismatches += 1;
+            if run.first.is_none() {
+                run.first = difference(cycle, &clock.outputs, &after);
+            }
+        }
+        before = after;
+        if let Some(w) = wave.filter(|w| (w.from..w.to).contains(&(cycle as u64))) {
+            let next = match waveform.take() {
+                None => Waveform::begin(w, &simulator),
+                Some(v) => v.change(cycle, &simulator),
+            };
+            waveform = Some(next.map_err(|e| wave_failed(w, e))?);
+        }
+    }
+    run.simulate_ns = begin.elapsed().as_nanos() as u64;
+    if let Some(w) = wave {
+        match waveform {
+            Some(v) => v.end(w).map_err(|e| wave_failed(w, e))?,
+            None => {
+                return Err(failed(format!(
+                    "no clock lies in the window {} to {} of {} clocks",
+                    w.from, w.to, run.cycles
+                )))
+            }
+        }
+    }
+    Ok(run)
+}
