@@ -13,7 +13,7 @@ use shadegate_hdl::raster::edge_walk::EdgeWalk;
 use shadegate_hdl::raster::shell::Shell;
 use shadegate_hdl::shade::device::{GouraudNarrow, QuadraticNarrow};
 use shadegate_hdl::shade::saturate::Saturate;
-use shadegate_hdl::simulate::{check_ports, Quiet, Register};
+use shadegate_hdl::simulate::{check_ports, Quiet, Register, Wire};
 
 #[test]
 fn every_description_lists_its_ports() {
@@ -95,5 +95,14 @@ fn a_register_looks_like_a_flip_flop_of_rust_hdl() {
     let mut ours = Register::<Bits<7>>::default();
     theirs.connect_all();
     ours.connect_all();
+    assert_eq!(outline(&theirs), outline(&ours));
+}
+
+#[test]
+fn a_wire_looks_like_a_local_signal_of_rust_hdl() {
+    let mut theirs = Signal::<Local, Bits<7>>::default();
+    let mut ours = Wire::<Bits<7>>::default();
+    theirs.connect();
+    ours.connect();
     assert_eq!(outline(&theirs), outline(&ours));
 }

@@ -8,7 +8,7 @@
 
 use super::frame_memory::{FrameMemory, FrameMemoryModel};
 use crate::format::{mask, U};
-use crate::simulate::{Quiet, Register};
+use crate::simulate::{Quiet, Register, Wire};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
 
@@ -50,9 +50,9 @@ pub struct ZBuffer<const A: usize> {
     /// Word to clear.
     sweep_address: Register<U<A>>,
     /// Depth to compare with.
-    stored: Signal<Local, U<16>>,
+    stored: Wire<U<16>>,
     /// The fragment is nearer than all before.
-    visible: Signal<Local, Bit>,
+    visible: Wire<Bit>,
     memory: Quiet<FrameMemory<A>>,
     /// Last word of the memory.
     last_address: Constant<U<A>>,

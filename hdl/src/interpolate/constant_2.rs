@@ -2,7 +2,7 @@
 
 use super::constant_1::{Constant1, Constant1Model};
 use crate::format::{signed_cast_bits, wrap, Q, U};
-use crate::simulate::{Quiet, Register};
+use crate::simulate::{Quiet, Register, Wire};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
 
@@ -25,7 +25,7 @@ pub struct Constant2<const D: usize, const M: usize, const N: usize> {
     /// Integer part of the value at the current pixel, rounded down.
     pub value: Signal<Out, Q<M, 0>>,
     /// Register bus as a word of this format.
-    bus: Signal<Local, Q<M, N>>,
+    bus: Wire<Q<M, N>>,
     /// Value of the next triangle.
     word_value: Register<Q<M, N>>,
     /// Value of the current triangle.

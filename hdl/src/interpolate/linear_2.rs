@@ -8,7 +8,7 @@
 
 use super::linear_1::{Linear1, Linear1Model};
 use crate::format::{signed_cast_bits, wrap, Q, U};
-use crate::simulate::{Quiet, Register};
+use crate::simulate::{Quiet, Register, Wire};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
 
@@ -40,7 +40,7 @@ pub struct Linear2<const D: usize, const M: usize, const N: usize> {
     /// Integer part of the value at the current pixel, rounded down.
     pub value: Signal<Out, Q<M, 0>>,
     /// Register bus as a word of this format.
-    bus: Signal<Local, Q<M, N>>,
+    bus: Wire<Q<M, N>>,
     /// Next triangle, value at the first span start.
     word_value: Register<Q<M, N>>,
     /// Next triangle, difference along the pixel step.

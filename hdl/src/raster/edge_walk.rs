@@ -6,7 +6,7 @@
 
 use crate::format::{wrap, Q};
 use crate::raster::{COLUMN_BITS, ERROR_BITS};
-use crate::simulate::Register;
+use crate::simulate::{Register, Wire};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
 
@@ -44,9 +44,9 @@ pub struct EdgeWalk {
     /// Error step with carry, dx mod dy - dy.
     error_down: Register<Q<19, 0>>,
     /// The next step carries.
-    carries: Signal<Local, Bit>,
+    carries: Wire<Bit>,
     /// Columns of a carrying step.
-    slope_carry: Signal<Local, Q<11, 0>>,
+    slope_carry: Wire<Q<11, 0>>,
     /// One column.
     one: Constant<Q<11, 0>>,
 }

@@ -28,7 +28,7 @@
 
 use super::edge_walk::EdgeWalk;
 use crate::format::{signed_cast_bits, unsigned_cast_integer, Q, U};
-use crate::simulate::{Quiet, Register};
+use crate::simulate::{Quiet, Register, Wire};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
 
@@ -157,69 +157,69 @@ pub struct Shell<const A: usize> {
     /// Columns of the span are complemented.
     pixel_mirrored: Register<Bit>,
     /// The write is accepted.
-    accept: Signal<Local, Bit>,
+    accept: Wire<Bit>,
     /// Upper part of the register bus.
-    high_bits: Signal<Local, U<12>>,
+    high_bits: Wire<U<12>>,
     /// Lower part of the register bus.
-    low_bits: Signal<Local, U<20>>,
+    low_bits: Wire<U<20>>,
     /// Upper part of the register bus as a column.
-    high: Signal<Local, Q<11, 0>>,
+    high: Wire<Q<11, 0>>,
     /// Lower part of the register bus as an error term.
-    low: Signal<Local, Q<19, 0>>,
+    low: Wire<Q<19, 0>>,
     /// Low part of the register bus as a column.
-    width_word: Signal<Local, Q<11, 0>>,
+    width_word: Wire<Q<11, 0>>,
     /// Low part of the register bus.
-    width_bits: Signal<Local, U<12>>,
+    width_bits: Wire<U<12>>,
     /// Minus the frame width.
-    negative_width: Signal<Local, Q<11, 0>>,
+    negative_width: Wire<Q<11, 0>>,
     /// First walk column of the frame for the next span.
-    line_near: Signal<Local, Q<11, 0>>,
+    line_near: Wire<Q<11, 0>>,
     /// One past the last walk column of the frame for the next span.
-    line_far: Signal<Local, Q<11, 0>>,
+    line_far: Wire<Q<11, 0>>,
     /// First walk column of the frame for this span.
-    pixel_near: Signal<Local, Q<11, 0>>,
+    pixel_near: Wire<Q<11, 0>>,
     /// One past the last walk column of the frame for this span.
-    pixel_far: Signal<Local, Q<11, 0>>,
+    pixel_far: Wire<Q<11, 0>>,
     /// The next span meets the frame.
-    has_pixels: Signal<Local, Bit>,
+    has_pixels: Wire<Bit>,
     /// Walk column of the next pixel.
-    next_column: Signal<Local, Q<11, 0>>,
+    next_column: Wire<Q<11, 0>>,
     /// This is the last pixel of the span.
-    span_done: Signal<Local, Bit>,
+    span_done: Wire<Bit>,
     /// The pixel registers can take a span.
-    pixel_free: Signal<Local, Bit>,
+    pixel_free: Wire<Bit>,
     /// A span moves to the pixel registers.
-    taking: Signal<Local, Bit>,
+    taking: Wire<Bit>,
     /// The line registers move on.
-    advance: Signal<Local, Bit>,
+    advance: Wire<Bit>,
     /// The next span is the last of its triangle.
-    last_row: Signal<Local, Bit>,
+    last_row: Wire<Bit>,
     /// A triangle moves to the line registers.
-    loading: Signal<Local, Bit>,
+    loading: Wire<Bit>,
     /// The line registers move to the next row.
-    stepping: Signal<Local, Bit>,
+    stepping: Wire<Bit>,
     /// The lower minor edge takes over.
-    switching: Signal<Local, Bit>,
+    switching: Wire<Bit>,
     /// The minor edge takes new words.
-    reload: Signal<Local, Bit>,
+    reload: Wire<Bit>,
     /// Minor edge to take, column at the first row.
-    reload_column: Signal<Local, Q<11, 0>>,
+    reload_column: Wire<Q<11, 0>>,
     /// Minor edge to take, biased error term at the first row.
-    reload_error: Signal<Local, Q<19, 0>>,
+    reload_error: Wire<Q<19, 0>>,
     /// Minor edge to take, whole columns per row.
-    reload_whole: Signal<Local, Q<11, 0>>,
+    reload_whole: Wire<Q<11, 0>>,
     /// Minor edge to take, error step without carry.
-    reload_up: Signal<Local, Q<19, 0>>,
+    reload_up: Wire<Q<19, 0>>,
     /// Minor edge to take, error step with carry.
-    reload_down: Signal<Local, Q<19, 0>>,
+    reload_down: Wire<Q<19, 0>>,
     /// The pixel registers move on.
-    running_now: Signal<Local, Bit>,
+    running_now: Wire<Bit>,
     /// Column on the screen.
-    screen_column: Signal<Local, Q<11, 0>>,
+    screen_column: Wire<Q<11, 0>>,
     /// Column on the screen, as an address.
-    screen_address: Signal<Local, U<A>>,
+    screen_address: Wire<U<A>>,
     /// Frame width, as an address step.
-    width_address: Signal<Local, U<A>>,
+    width_address: Wire<U<A>>,
     major: Quiet<EdgeWalk>,
     minor: Quiet<EdgeWalk>,
     /// Column 0.

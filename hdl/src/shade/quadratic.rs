@@ -16,7 +16,7 @@ use crate::format::{bit_cast_u, unsigned_cast_integer, U};
 use crate::interpolate::linear_2::Linear2;
 use crate::interpolate::quadratic_2::Quadratic2;
 use crate::raster::shell::Shell;
-use crate::simulate::{Quiet, Register};
+use crate::simulate::{Quiet, Register, Wire};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
 
@@ -88,23 +88,23 @@ pub struct QuadraticCore<const D: usize, const N: usize, const B: usize, const A
     /// Busy, one clock ago.
     was_busy: Register<Bit>,
     /// The pipeline moves.
-    go: Signal<Local, Bit>,
+    go: Wire<Bit>,
     /// Anything is waiting, being drawn or being cleared.
-    is_busy: Signal<Local, Bit>,
+    is_busy: Wire<Bit>,
     /// A register write is accepted.
-    accept: Signal<Local, Bit>,
+    accept: Wire<Bit>,
     /// Register word.
-    word: Signal<Local, U<4>>,
+    word: Wire<U<4>>,
     /// Channel mask, 0 for the shell.
-    channels: Signal<Local, U<4>>,
+    channels: Wire<U<4>>,
     /// The shell is selected.
-    selects_shell: Signal<Local, Bit>,
+    selects_shell: Wire<Bit>,
     /// Register bus as wide as a colour word.
-    bus_colour: Signal<Local, U<D>>,
+    bus_colour: Wire<U<D>>,
     /// Register bus as wide as a shell word.
-    bus_32: Signal<Local, U<32>>,
+    bus_32: Wire<U<32>>,
     /// Depth less 32768, as bits.
-    depth_bits: Signal<Local, U<16>>,
+    depth_bits: Wire<U<16>>,
     /// The bias of the depth interpolant: depths 0 to 65535 are walked as -32768 to 32767.
     depth_bias: Constant<U<16>>,
     shell: Quiet<Shell<A>>,

@@ -5,6 +5,7 @@
 //! once, to the start value.
 
 use crate::format::{Q, U};
+use crate::simulate::Wire;
 use rust_hdl_core::prelude::*;
 
 /// Combinational.
@@ -15,7 +16,7 @@ pub struct Saturate {
     /// Colour as a byte.
     pub level: Signal<Out, U<8>>,
     /// Integer bits above a byte.
-    excess: Signal<Local, U<3>>,
+    excess: Wire<U<3>>,
     /// Darkest byte.
     zero: Constant<U<8>>,
     /// Brightest byte.

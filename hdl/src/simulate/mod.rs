@@ -8,7 +8,7 @@ mod quiet;
 mod register;
 
 pub use quiet::{check_ports, Ports, Quiet};
-pub use register::{Pin, Register};
+pub use register::{Pin, Register, Wire};
 
 use rust_hdl_core::prelude::*;
 

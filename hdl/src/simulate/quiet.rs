@@ -27,8 +27,9 @@ pub trait Ports: Block {
     fn inputs_pending(&self) -> bool;
     /// Makes the inputs' new values visible to the block.
     fn take_inputs(&mut self);
-    /// An output changed in the last pass.
-    fn outputs_changed(&self) -> bool;
+    /// Whether an output changed in the last pass. Clears the marks: nothing inside depends on an output, so its
+    /// change is no reason for another pass.
+    fn take_output_changes(&mut self) -> bool;
 }
 
 /// A block that costs a comparison of its inputs while nothing moves. Use it like the block itself.
@@ -105,7 +106,7 @@ impl<B: Ports> Block for Quiet<B> {
         self.inner.take_inputs();
         for _ in 0..MAX_PASSES {
             self.inner.update_all();
-            self.changed |= self.inner.outputs_changed();
+            self.changed |= self.inner.take_output_changes();
             self.stable = !self.inner.has_changed();
             if self.stable {
                 return;
@@ -190,8 +191,10 @@ macro_rules! ports {
             }
 
             #[inline(always)]
-            fn outputs_changed(&self) -> bool {
-                $(self.$output.changed)||+
+            fn take_output_changes(&mut self) -> bool {
+                let changed = $(self.$output.changed)||+;
+                $(self.$output.changed = false;)+
+                changed
             }
         }
     };

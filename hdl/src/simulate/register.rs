@@ -1,4 +1,4 @@
-//! A D flip-flop for fast simulation: the same block, ports and Verilog as rust-hdl's `DFF`.
+//! Registers and wires for fast simulation: the same atoms, blocks and Verilog as rust-hdl's `DFF` and local signals.
 //!
 //! rust-hdl's flip-flop is made of three general signals and needs three passes to see an edge. This one keeps a word
 //! per port and fires in the pass in which its parent raises the clock; the parent has computed `d` from the state
@@ -8,7 +8,7 @@ use rust_hdl_core::prelude::*;
 use rust_hdl_core::signal::get_signal_id;
 use std::marker::PhantomData;
 
-/// A port of a [`Register`]: a word and what probes ask about it.
+/// A wire or a port of a [`Register`]: a word and what probes ask about it.
 #[derive(Clone, Debug)]
 pub struct Pin<D: Direction, T: Synth> {
     /// The value.
@@ -83,6 +83,26 @@ impl<D: Direction, T: Synth> Logic for Pin<D, T> {
         self.connected = true;
     }
 }
+
+impl<D: Direction, T: Synth> Block for Pin<D, T> {
+    fn connect_all(&mut self) {}
+
+    #[inline(always)]
+    fn update_all(&mut self) {}
+
+    #[inline(always)]
+    fn has_changed(&self) -> bool {
+        false
+    }
+
+    fn accept(&self, name: &str, probe: &mut dyn Probe) {
+        probe.visit_atom(name, self);
+    }
+}
+
+/// An intermediate value. Its block writes it before it reads it, in every pass, so a new value is no reason for
+/// another pass (rust-hdl's `Signal<Local, T>` would ask for one).
+pub type Wire<T> = Pin<Local, T>;
 
 /// A register of any format, zero at power-up. Drive it with rust-hdl's `dff_setup!`.
 #[derive(Clone, Debug, Default)]
