@@ -80,27 +80,31 @@ impl<const A: usize> Logic for FrameMemory<A> {
              //! latency One clock from read to read_data.\n\
              //! reg read_data\n"
         );
-        if bits < A {
+        let partial = words < 1 << A;
+        if partial {
             text += &format!(
                 "// Addresses beyond the memory are not accessed.\n\
-                 wire read_inside = (read_address[{}:{bits}] == {}'d0);\n\
-                 wire write_inside = (write_address[{}:{bits}] == {}'d0);\n",
-                A - 1,
-                A - bits,
-                A - 1,
-                A - bits
+                 wire read_inside = (read_address < {A}'d{words});\n\
+                 wire write_inside = (write_address < {A}'d{words});\n"
             );
-        } else {
-            text += "wire read_inside = 1'b1;\nwire write_inside = 1'b1;\n";
         }
+        let (reads, writes) = if partial {
+            (" && read_inside", " && write_inside")
+        } else {
+            ("", "")
+        };
         text += &format!(
-            "\n// One word per pixel, 0 = nothing drawn yet.\n\
+            "\n// One word per pixel, 0 = nothing drawn yet. Block RAM powers up as zeros without being told; a loop over the\n\
+             // memory would only cost the synthesiser minutes.\n\
              reg [15:0] words [0:{last}];\n\
+             initial read_data = 16'd0;\n\n\
+             `ifndef SYNTHESIS\n\
              integer i;\n\
-             initial begin\n  for (i = 0; i < {words}; i = i + 1) words[i] = 16'd0;\n  read_data = 16'd0;\nend\n\n\
+             initial begin\n  for (i = 0; i < {words}; i = i + 1) words[i] = 16'd0;\nend\n\
+             `endif\n\n\
              always @(posedge clock) begin\n  \
-             if (write && write_inside) words[write_address[{top}:0]] <= write_data;\n  \
-             if (read && read_inside) read_data <= words[read_address[{top}:0]];\n\
+             if (write{writes}) words[write_address[{top}:0]] <= write_data;\n  \
+             if (read{reads}) read_data <= words[read_address[{top}:0]];\n\
              end\n"
         );
         Verilog::Custom(text)

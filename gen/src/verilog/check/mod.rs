@@ -134,7 +134,10 @@ fn statement(scope: &Scope, line: &str) -> Result<(), String> {
             statement(scope, rest)
         };
     }
-    let body = line.strip_prefix("assign ").unwrap_or(line);
+    let body = line
+        .strip_prefix("assign ")
+        .or_else(|| line.strip_prefix("initial "))
+        .unwrap_or(line);
     let Some(body) = body.strip_suffix(';') else {
         return Err("cannot read the statement".to_string());
     };
