@@ -1,2 +1,22 @@
-//! The shadegate program.
-fn main() {}
+//! The `shadegate` program: arguments, progress and printing. No algorithm lives here.
+
+mod args;
+mod compare;
+mod completions;
+mod cosim;
+mod gen;
+mod list;
+mod man;
+mod measures;
+mod names;
+mod outcome;
+mod output;
+mod progress;
+mod render;
+mod run;
+mod size;
+mod table;
+
+fn main() -> std::process::ExitCode {
+    run::main()
+}

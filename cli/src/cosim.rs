@@ -1,0 +1,238 @@
+//! `shadegate cosim`: a core draws a scene in simulation, and every pixel is checked.
+
+use crate::args::Global;
+use crate::measures::duration;
+use crate::names::{cores, engines, hardware_method, Offer};
+use crate::outcome::{Exit, Failure, Outcome, Report};
+use crate::progress::Progress;
+use crate::{output, size};
+use anstyle::{AnsiColor, Style};
+use clap::Args;
+use serde_json::Value;
+use shadegate_gen::package::PackageError;
+use shadegate_gen::stimulus::StimulusOptions;
+use shadegate_reference::{scene, Method};
+use shadegate_testbench::cosim::{cosim, CosimError, CosimOptions, CosimReport, ErrorReport};
+use shadegate_testbench::engine::{Engine, EngineError, Wave};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// Arguments of `cosim`.
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Exit codes: 0 every check holds; 1 some pixel is not the expected one; 2 bad input; \
+                  3 the engine is missing or failed."
+)]
+pub struct CosimArgs {
+    /// Scene file
+    scene: PathBuf,
+    /// Shading method, one that has a core [default: the scene's]
+    #[arg(long, value_parser = Offer(cores))]
+    method: Option<String>,
+    /// Core [default: the one of the method]
+    #[arg(long, value_parser = Offer(cores))]
+    core: Option<String>,
+    /// What simulates: rust-hdl the description, the others the emitted Verilog
+    #[arg(long, value_parser = Offer(engines), default_value = "rust-hdl")]
+    engine: String,
+    /// Waveform to write
+    #[arg(long, value_name = "FILE.vcd")]
+    wave: Option<PathBuf>,
+    /// First clock of the waveform [default: 0]
+    #[arg(long, value_name = "CYC", requires = "wave")]
+    from: Option<String>,
+    /// Clock at which the waveform ends [default: the last]
+    #[arg(long, value_name = "CYC", requires = "wave")]
+    to: Option<String>,
+    /// Frame size [default: the scene's]
+    #[arg(long, value_name = "WxH")]
+    size: Option<String>,
+    /// Folder for frames, Verilog and reports; made if it is missing [default: nothing is written]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+/// Runs the command.
+pub fn run(a: &CosimArgs, global: Global) -> Outcome {
+    let engine: Engine = a.engine.parse().map_err(Failure::input)?;
+    // The names are checked before the scene is read; the scene's own method only matters without them.
+    hardware_method(a.method.as_deref(), a.core.as_deref(), Method::Quadratic)?;
+    let size = a.size.as_deref().map(size::parse).transpose()?;
+    let wave = wave(a)?;
+    a.output.as_deref().map(output::folder).transpose()?;
+    let progress = Progress::new("reading the scene", global);
+    let scene = scene::load(&a.scene).map_err(Failure::input)?;
+    let method = hardware_method(a.method.as_deref(), a.core.as_deref(), scene.render.method)?;
+    progress.say(format!("{} draws {} in {engine}", method, scene.name));
+    let options = CosimOptions {
+        method,
+        engine,
+        size,
+        wave,
+        output: a.output.clone(),
+        stimulus: StimulusOptions::default(),
+        command: command(&a.scene, method, engine, size),
+    };
+    let report = cosim(&scene, &options).map_err(failure)?;
+    drop(progress);
+    let exit = if report.holds() {
+        Exit::Done
+    } else {
+        Exit::CheckFailed
+    };
+    let text = if global.quiet {
+        String::new()
+    } else {
+        text(&report, a, global.verbose)
+    };
+    let json = serde_json::to_value(&report).unwrap_or(Value::Null);
+    Ok(Report { text, json, exit })
+}
+
+fn wave(a: &CosimArgs) -> Result<Option<Wave>, Failure> {
+    let clock = |name: &str, text: &str| {
+        let number = text.parse::<u64>().ok();
+        number.ok_or_else(|| {
+            Failure::input(format!(
+                "--{name} '{text}' is not a clock; expected a whole number from 0"
+            ))
+        })
+    };
+    let from = a.from.as_deref().map(|t| clock("from", t)).transpose()?;
+    let to = a.to.as_deref().map(|t| clock("to", t)).transpose()?;
+    let Some(file) = &a.wave else {
+        return Ok(None);
+    };
+    output::file(file, "vcd")?;
+    let (from, to) = (from.unwrap_or(0), to.unwrap_or(u64::from(u32::MAX)));
+    if from >= to {
+        return Err(Failure::input(format!(
+            "the waveform from clock {from} to clock {to} is empty; expected --from below --to"
+        )));
+    }
+    Ok(Some(Wave {
+        file: file.clone(),
+        from,
+        to,
+    }))
+}
+
+/// The command that does this again.
+fn command(scene: &Path, method: Method, engine: Engine, size: Option<(u32, u32)>) -> String {
+    let scene = scene.to_string_lossy();
+    let plain = |c: char| c.is_ascii_alphanumeric() || "/._-".contains(c);
+    let scene = if scene.chars().all(plain) {
+        scene.into_owned()
+    } else {
+        format!("'{}'", scene.replace('\'', r"'\''"))
+    };
+    let size = size.map(|(w, h)| format!(" --size {w}x{h}"));
+    format!(
+        "shadegate cosim {scene} --method {method} --engine {engine}{}",
+        size.unwrap_or_default()
+    )
+}
+
+/// Whose fault it is.
+pub fn failure(e: CosimError) -> Failure {
+    match e {
+        CosimError::Engine(EngineError::Missing { .. } | EngineError::Failed { .. }) => {
+            Failure::tool(e)
+        }
+        CosimError::Package(PackageError::Constraints(_)) => Failure::input(e),
+        CosimError::Package(_) => Failure::tool(e),
+        _ => Failure::input(e),
+    }
+}
+
+fn text(r: &CosimReport, a: &CosimArgs, verbose: bool) -> String {
+    let mut out = format!(
+        "{}: {}x{}, {} core, {}\n",
+        r.scene, r.width, r.height, r.core, r.engine
+    );
+    let colour = if r.holds() {
+        AnsiColor::Green
+    } else {
+        AnsiColor::Red
+    };
+    let style = Style::new().bold().fg_color(Some(colour.into()));
+    let verdict = match r.mismatches {
+        0 => "no mismatch".to_owned(),
+        1 => "1 mismatch".to_owned(),
+        n => format!("{n} mismatches"),
+    };
+    // Writing to a string cannot fail.
+    let _ = writeln!(
+        out,
+        "{style}{verdict}{style:#} in {} pixels and {} clocks ({:.3} pixels per clock)",
+        r.pixels, r.cycles, r.pixels_per_cycle
+    );
+    if let Some(m) = &r.first_mismatch {
+        let _ = writeln!(
+            out,
+            "first mismatch in clock {}, pixel {},{}: {} is {}, expected {}\n  {}",
+            m.cycle, m.pixel.0, m.pixel.1, m.signal, m.got, m.expected, m.reproduce
+        );
+    }
+    let error = |e: &ErrorReport| {
+        let psnr = e
+            .psnr_db
+            .map_or("infinite".to_owned(), |p| format!("{p:.2} dB"));
+        format!(
+            "max {} LSB, RMS {:.4} LSB, PSNR {psnr}, FLIP {:.6}",
+            e.max_lsb, e.rms_lsb, e.flip_mean
+        )
+    };
+    let _ = writeln!(
+        out,
+        "error      {}\narithmetic max {} LSB, RMS {:.4} LSB\nspeed      {:.0} clocks per second",
+        error(&r.error),
+        r.arithmetic.get("max_lsb").unwrap_or(&0.0),
+        r.arithmetic.get("rms_lsb").unwrap_or(&0.0),
+        r.cycles_per_second
+    );
+    if verbose {
+        let t = &r.time_ns;
+        let _ = writeln!(
+            out,
+            "time       set-up {}, emit {}, build {}, simulate {}, compare {}\n\
+             host       {} triangles in {} writes\n\
+             method     {} against {} in f64",
+            duration(t.setup),
+            duration(t.emit),
+            duration(t.build),
+            duration(t.simulate),
+            duration(t.compare),
+            r.host.triangles,
+            r.host.writes,
+            error(&r.method_f64),
+            r.method
+        );
+    }
+    for path in a.wave.iter().chain(&a.output) {
+        let _ = writeln!(out, "wrote {}", path.display());
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_can_be_pasted() {
+        let again = |scene: &str| {
+            command(
+                Path::new(scene),
+                Method::Gouraud,
+                Engine::Icarus,
+                Some((8, 6)),
+            )
+        };
+        assert_eq!(
+            again("scenes/a.toml"),
+            "shadegate cosim scenes/a.toml --method gouraud --engine icarus --size 8x6"
+        );
+        assert!(again("my scene's.toml").starts_with(r"shadegate cosim 'my scene'\''s.toml' --m"));
+    }
+}

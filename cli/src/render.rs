@@ -1,0 +1,201 @@
+//! `shadegate render`: a software frame, with its time and its error.
+
+use crate::args::Global;
+use crate::measures::{duration, error_json, error_text};
+use crate::names::{method, methods, Offer};
+use crate::outcome::{Failure, Outcome, Report};
+use crate::progress::Progress;
+use crate::{output, size};
+use clap::Args;
+use serde_json::{json, Value};
+use shadegate_reference::{
+    render, scene, Frame, Method, Prepared, RenderOptions, RenderStats, Skips,
+};
+use shadegate_testbench::compare::{compare, save_png, Comparison, Rgb8Ref};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// More threads than this are a slip of the keyboard.
+const THREADS: usize = 1024;
+
+/// Arguments of `render`.
+#[derive(Debug, Args)]
+pub struct RenderArgs {
+    /// Scene file
+    scene: PathBuf,
+    /// Shading method [default: the scene's]
+    #[arg(long, value_parser = Offer(methods))]
+    method: Option<String>,
+    /// Frame size [default: the scene's]
+    #[arg(long, value_name = "WxH")]
+    size: Option<String>,
+    /// Threads [default: as many as there are processors]
+    #[arg(long, value_name = "N")]
+    threads: Option<String>,
+    /// Picture to write [default: <SCENE>-<METHOD>.png in the current directory]
+    #[arg(short, long, value_name = "FILE.png")]
+    output: Option<PathBuf>,
+    /// Method to measure the error against; `exact` is the truth
+    #[arg(long, value_parser = Offer(methods), value_name = "METHOD")]
+    against: Option<String>,
+    /// Skips to switch off, separated by commas: back-face, frustum, outside, uncovered, hidden, or all
+    #[arg(long, value_name = "LIST")]
+    no_skip: Option<String>,
+}
+
+/// A frame and all that is known about it.
+struct Drawn {
+    prepared: Prepared,
+    method: Method,
+    stats: RenderStats,
+    setup_ns: u64,
+    total_ns: u64,
+    error: Option<(Method, Comparison)>,
+}
+
+/// Runs the command.
+pub fn run(a: &RenderArgs, global: Global) -> Outcome {
+    let wanted = a.method.as_deref().map(method).transpose()?;
+    let against = a.against.as_deref().map(method).transpose()?;
+    let size = a.size.as_deref().map(size::parse).transpose()?;
+    let threads = a.threads.as_deref().map(parse_threads).transpose()?;
+    let skips = Skips::without(a.no_skip.as_deref().unwrap_or("")).map_err(Failure::input)?;
+    if let Some(file) = &a.output {
+        output::file(file, "png")?;
+        output::not_over(file, &a.scene)?;
+    }
+    let progress = Progress::new("reading the scene", global);
+    let scene = scene::load(&a.scene).map_err(Failure::input)?;
+    let method = wanted.unwrap_or(scene.render.method);
+    let file = match &a.output {
+        Some(file) => file.clone(),
+        None => {
+            let file = PathBuf::from(format!("{}-{method}.png", scene.name));
+            output::file(&file, "png")?;
+            file
+        }
+    };
+    let options = RenderOptions { threads, skips };
+    progress.say(format!("drawing {} with {method}", scene.name));
+    let begin = Instant::now();
+    let prepared = Prepared::new(&scene, size, &skips).map_err(Failure::input)?;
+    let prepare_ns = nanoseconds(begin);
+    let (frame, stats) = render(&prepared, method, &options);
+    let total_ns = nanoseconds(begin);
+    let error = match against {
+        None => None,
+        Some(m) => {
+            progress.say(format!("comparing with {m}"));
+            let (truth, _) = render(&prepared, m, &options);
+            let apart = compare(view(&truth)?, view(&frame)?).map_err(Failure::input)?;
+            Some((m, apart))
+        }
+    };
+    save_png(&file, view(&frame)?).map_err(Failure::input)?;
+    drop(progress);
+    let drawn = Drawn {
+        prepared,
+        method,
+        setup_ns: prepare_ns + stats.setup_ns,
+        stats,
+        total_ns,
+        error,
+    };
+    let text = if global.quiet {
+        String::new()
+    } else {
+        drawn.text(&file, global.verbose)
+    };
+    Ok(Report::done(text, drawn.json(&file)))
+}
+
+fn parse_threads(text: &str) -> Result<usize, Failure> {
+    let n = text.parse().ok().filter(|n| (1..=THREADS).contains(n));
+    n.ok_or_else(|| {
+        Failure::input(format!(
+            "threads '{text}' cannot be used; expected a number from 1 to {THREADS}"
+        ))
+    })
+}
+
+fn view(f: &Frame) -> Result<Rgb8Ref<'_>, Failure> {
+    Rgb8Ref::new(f.width, f.height, &f.pixels).map_err(Failure::input)
+}
+
+fn nanoseconds(since: Instant) -> u64 {
+    u64::try_from(since.elapsed().as_nanos()).unwrap_or(u64::MAX)
+}
+
+impl Drawn {
+    fn json(&self, file: &Path) -> Value {
+        let (p, s) = (&self.prepared, &self.stats);
+        let mut json = json!({
+            "scene": p.scene_name,
+            "method": self.method.name(),
+            "width": p.width,
+            "height": p.height,
+            "triangles": {
+                "in": p.counts.in_,
+                "culled": p.counts.culled,
+                "clipped": p.counts.clipped,
+                "drawn": p.counts.drawn,
+            },
+            "pixels": {
+                "tested": s.pixels_tested,
+                "shaded": s.pixels_shaded,
+                "written": s.pixels_written,
+            },
+            "skipped": s.skipped,
+            "time_ns": { "setup": self.setup_ns, "raster": s.raster_ns, "total": self.total_ns },
+            "threads": s.threads,
+            "output": file.to_string_lossy(),
+        });
+        if let Some((against, c)) = &self.error {
+            let mut error = error_json(c);
+            error["against"] = against.name().into();
+            json["error"] = error;
+        }
+        json
+    }
+
+    fn text(&self, file: &Path, verbose: bool) -> String {
+        let (p, s, n) = (&self.prepared, &self.stats, &self.prepared.counts);
+        let mut out = format!(
+            "{}: {}x{}, {}\n",
+            p.scene_name, p.width, p.height, self.method
+        );
+        let threads = match s.threads {
+            1 => "1 thread".to_owned(),
+            n => format!("{n} threads"),
+        };
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            out,
+            "triangles  {} in, {} culled, {} clipped, {} drawn\n\
+             pixels     {} tested, {} shaded, {} written\n\
+             time       {} (set-up {}, raster {}), {threads}",
+            n.in_,
+            n.culled,
+            n.clipped,
+            n.drawn,
+            s.pixels_tested,
+            s.pixels_shaded,
+            s.pixels_written,
+            duration(self.total_ns),
+            duration(self.setup_ns),
+            duration(s.raster_ns),
+        );
+        if verbose {
+            out += "skipped\n";
+            for (reason, count) in &s.skipped {
+                let _ = writeln!(out, "  {reason:<12}  {count}");
+            }
+        }
+        if let Some((against, c)) = &self.error {
+            let _ = write!(out, "error against {against}\n{}", error_text(c));
+        }
+        let _ = writeln!(out, "wrote {}", file.display());
+        out
+    }
+}

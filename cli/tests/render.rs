@@ -1,0 +1,169 @@
+//! `render` and `compare`: what they print, what they write, what their JSON holds.
+
+mod common;
+
+use common::{keys, Folder};
+use image::{Rgb, RgbImage};
+
+#[test]
+fn the_json_of_a_frame_has_the_documented_keys() {
+    let f = Folder::new();
+    let r = f.json("render ball.toml", 0);
+    let documented = [
+        "height",
+        "method",
+        "output",
+        "pixels",
+        "scene",
+        "skipped",
+        "threads",
+        "time_ns",
+        "triangles",
+        "width",
+    ];
+    assert_eq!(keys(&r), documented);
+    assert_eq!(keys(&r["triangles"]), ["clipped", "culled", "drawn", "in"]);
+    assert_eq!(keys(&r["pixels"]), ["shaded", "tested", "written"]);
+    assert_eq!(keys(&r["time_ns"]), ["raster", "setup", "total"]);
+    assert_eq!(r["scene"], "ball");
+    assert_eq!(r["method"], "quadratic");
+    assert_eq!((&r["width"], &r["height"]), (&48.into(), &32.into()));
+    assert_eq!(r["triangles"]["in"], 690);
+    assert_eq!(r["output"], "ball-quadratic.png");
+    let ns = |key: &str| r["time_ns"][key].as_u64().unwrap();
+    assert!(ns("total") >= ns("setup") + ns("raster") && ns("raster") > 0);
+    assert_eq!(f.names(), ["ball-quadratic.png", "ball.toml"]);
+
+    let r = f.json(
+        "render ball.toml --method gouraud --against exact --threads 1 --size 20x10",
+        0,
+    );
+    assert_eq!(
+        keys(&r["error"]),
+        ["against", "flip_mean", "max_lsb", "psnr_db", "rms_lsb"]
+    );
+    assert_eq!(r["error"]["against"], "exact");
+    assert_eq!((&r["width"], &r["threads"]), (&20.into(), &1.into()));
+    let own = f.json("render ball.toml --method exact --against exact", 0);
+    assert_eq!(own["error"]["max_lsb"], 0);
+    assert!(own["error"]["psnr_db"].is_null());
+}
+
+#[test]
+fn people_read_where_the_picture_is_and_how_good() {
+    let f = Folder::new();
+    let done = f
+        .run("render ball.toml --method flat -o x.png --against exact --size 24x16 -v")
+        .code(0)
+        .stderr("");
+    let text = String::from_utf8(done.get_output().stdout.clone()).unwrap();
+    let starts: Vec<&str> = text
+        .lines()
+        .map(|l| l.split_whitespace().next().unwrap())
+        .collect();
+    let lines = [
+        "ball:",
+        "triangles",
+        "pixels",
+        "time",
+        "skipped",
+        "back-face",
+        "uncovered",
+        "error",
+        "max",
+        "RMS",
+        "PSNR",
+        "FLIP",
+        "wrote",
+    ];
+    assert_eq!(starts, lines, "{text}");
+    assert!(text.starts_with("ball: 24x16, flat\ntriangles  690 in, "));
+    assert!(text.ends_with("\nwrote x.png\n"));
+    assert!(!text.contains('\u{1b}'), "no colours: not a terminal");
+    f.run("render ball.toml -q -o y.png")
+        .code(0)
+        .stdout("")
+        .stderr("");
+    assert_eq!(f.names(), ["ball.toml", "x.png", "y.png"]);
+}
+
+#[test]
+fn skips_change_counts_and_not_the_frame() {
+    let f = Folder::new();
+    let with = f.json("render ball.toml -o a.png", 0);
+    let without = f.json("render ball.toml -o b.png --no-skip all", 0);
+    assert!(with["skipped"]["back-face"].as_u64() > Some(0));
+    assert!(without["skipped"]["back-face"].is_null());
+    f.run("compare a.png b.png -q").code(0).stdout("");
+}
+
+#[test]
+fn compare_says_how_far_and_where() {
+    let f = Folder::new();
+    let mut picture = RgbImage::from_pixel(8, 4, Rgb([10, 20, 30]));
+    picture.save(f.0.path().join("a.png")).unwrap();
+    picture.put_pixel(5, 2, Rgb([10, 24, 30]));
+    picture.save(f.0.path().join("b.png")).unwrap();
+    f.run("compare a.png a.png").code(0).stderr("").stdout(
+        "32 pixels, all equal\n  max   0 LSB\n  RMS   0.0000 LSB\n  PSNR  infinite\n  FLIP  0.000000\n",
+    );
+    let done = f.run("compare a.png b.png -o d.png -v").code(1).stderr("");
+    let text = String::from_utf8(done.get_output().stdout.clone()).unwrap();
+    let (start, end) = text.split_once("  FLIP  0.").unwrap();
+    assert_eq!(
+        start,
+        "32 pixels, 1 differ\n  max   4 LSB\n  RMS   0.4082 LSB\n  PSNR  55.91 dB\n"
+    );
+    assert!(
+        end.ends_with(
+            "\nfirst difference at column 5, row 2: 10 20 30 and 10 24 30\n\
+             channels by difference in LSB\n    0  95\n    4  1\nwrote d.png\n"
+        ),
+        "{end}"
+    );
+    let d = image::open(f.0.path().join("d.png")).unwrap().into_rgb8();
+    assert_eq!(d.get_pixel(5, 2), &Rgb([0, 127, 0]));
+    assert_eq!(d.get_pixel(0, 0), &Rgb([0, 0, 0]));
+
+    let r = f.json("compare a.png b.png", 1);
+    let documented = [
+        "a",
+        "b",
+        "differing",
+        "first_mismatch",
+        "flip_mean",
+        "histogram",
+        "max_lsb",
+        "output",
+        "pixels",
+        "psnr_db",
+        "rms_lsb",
+    ];
+    assert_eq!(keys(&r), documented);
+    assert_eq!((&r["differing"], &r["max_lsb"]), (&1.into(), &4.into()));
+    assert_eq!(r["first_mismatch"]["x"], 5);
+    assert!(r["output"].is_null());
+}
+
+#[test]
+fn compare_refuses_what_is_no_pair_of_pictures() {
+    let f = Folder::new();
+    RgbImage::new(8, 4).save(f.0.path().join("a.png")).unwrap();
+    RgbImage::new(4, 8).save(f.0.path().join("b.png")).unwrap();
+    f.refuses(
+        "compare a.png b.png -o d.png",
+        "the images differ in size: 8x4 and 4x8",
+    );
+    f.refuses(
+        "compare a.png none.png -o d.png",
+        "cannot read \"none.png\": No such file or directory (os error 2)",
+    );
+    f.refuses(
+        "compare ball.toml a.png",
+        "\"ball.toml\" is not a PNG image",
+    );
+    f.refuses(
+        "compare a.png a.png -o ./a.png",
+        "cannot write './a.png': it is one of the inputs",
+    );
+}
