@@ -164,10 +164,14 @@ fn remark(text: &str) -> Option<(String, String)> {
     Some((key.to_string(), value))
 }
 
-fn head_of(
-    path: &str,
-    hdl: &Verilog,
-) -> Result<(String, Vec<(String, String)>, Vec<String>), NetlistError> {
+/// What the remarks of a description say.
+struct Head {
+    name: String,
+    remarks: Vec<(String, String)>,
+    reg_outputs: Vec<String>,
+}
+
+fn head_of(path: &str, hdl: &Verilog) -> Result<Head, NetlistError> {
     let mut remarks: Vec<(String, String)> = match hdl {
         Verilog::Combinatorial(block) => block
             .iter()
@@ -206,11 +210,19 @@ fn head_of(
             return Err(NetlistError::new(&name, format!("has no {key} remark")));
         }
     }
-    Ok((name, remarks, reg_outputs))
+    Ok(Head {
+        name,
+        remarks,
+        reg_outputs,
+    })
 }
 
 fn module(path: &str, node: Node) -> Result<Module, NetlistError> {
-    let (name, remarks, reg_outputs) = head_of(path, &node.hdl)?;
+    let Head {
+        name,
+        remarks,
+        reg_outputs,
+    } = head_of(path, &node.hdl)?;
     let source = shadegate_hdl::sources::source(&name).unwrap_or_default();
     let docs = field_docs(source);
     let doc_of = |signal: &str| docs.get(signal).cloned().unwrap_or_default();

@@ -15,7 +15,7 @@ pub fn makefile(core: &Core, device: Option<&Device>) -> String {
          .PHONY: icarus verilator lint yosys clean\n\n\
          icarus: build/icarus\n\
          \tvvp build/icarus +vectors=sim/vectors.txt\n\n\
-         build/icarus: sim/tb_$(TOP).v $(RTL)\n\
+         build/icarus: $(RTL) sim/tb_$(TOP).v\n\
          \tmkdir -p build\n\
          \tiverilog -g2001 -o $@ $^\n\n\
          verilator: build/verilator/V$(TOP)\n\

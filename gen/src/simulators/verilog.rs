@@ -13,7 +13,7 @@ pub fn test_bench(core: &Core) -> String {
     format!(
         r##"// tb_{name}_core: replays a vector file and compares every output of {name}_core in every clock.
 //
-// iverilog -g2001 -o sim tb_{name}_core.v ../rtl/*.v && vvp sim +vectors=vectors.txt
+// iverilog -g2001 -o sim ../rtl/*.v tb_{name}_core.v && vvp sim +vectors=vectors.txt
 // Options: +pixels=FILE writes every pixel, +wave=FILE [+from=CLOCK] [+to=CLOCK] dumps a waveform.
 
 `timescale 1ns / 1ps

@@ -220,7 +220,7 @@ impl CosimReport {
             } else {
                 0.0
             },
-            mismatches: i.run.mismatches + i.against_expected.differing as u64,
+            mismatches: i.run.mismatches + i.against_expected.differing,
             first_mismatch: first_mismatch(&i),
             error: i.against_exact.into(),
             method_f64: i.against_method.into(),

@@ -10,6 +10,7 @@ use std::time::Instant;
 
 const ENGINE: Engine = Engine::Icarus;
 
+/// Compiles and runs the test bench.
 pub fn run(
     trace: &Trace,
     package: &[PackageFile],
@@ -20,18 +21,16 @@ pub fn run(
     let core = trace.core.name();
     let begin = Instant::now();
     let mut compile = Command::new("iverilog");
-    compile.current_dir(scratch).args([
-        "-g2001",
-        "-o",
-        "simulation",
-        &format!("sim/tb_{core}_core.v"),
-    ]);
+    compile
+        .current_dir(scratch)
+        .args(["-g2001", "-o", "simulation"]);
     compile.args(
         package
             .iter()
             .filter(|f| f.path.starts_with("rtl/") && f.path.ends_with(".v"))
             .map(|f| &f.path),
     );
+    compile.arg(format!("sim/tb_{core}_core.v"));
     output(ENGINE, &mut compile, false)?;
     let build_ns = begin.elapsed().as_nanos() as u64;
     let begin = Instant::now();

@@ -125,10 +125,14 @@ pub fn run(trace: &Trace, wave: Option<&Wave>) -> Result<Run, EngineError> {
         match waveform {
             Some(v) => v.end(w).map_err(|e| wave_failed(w, e))?,
             None => {
-                return Err(failed(format!(
-                    "no clock lies in the window {} to {} of {} clocks",
-                    w.from, w.to, run.cycles
-                )))
+                let what = format!(
+                    "has no clock to show from {} on: the run has {} clocks",
+                    w.from, run.cycles
+                );
+                return Err(EngineError::Unsupported {
+                    engine: ENGINE,
+                    what,
+                });
             }
         }
     }

@@ -91,6 +91,7 @@ fn keep(binary: &Path, kept: &Path) {
     drop(copied);
 }
 
+/// Builds (or finds) the binary and runs it.
 pub fn run(
     trace: &Trace,
     package: &[PackageFile],

@@ -1,0 +1,48 @@
+//! The emitted Verilog is the Verilog under `tests/expected/`, byte for byte, and emitting twice gives the same bytes.
+//! After a deliberate change: `SHADEGATE_BLESS=1 cargo test --release -p shadegate-gen --test expected_verilog`.
+
+use shadegate_gen::package::rtl;
+use shadegate_hdl::shade::device::Core;
+use shadegate_hdl::shade::model::Order;
+use std::path::Path;
+
+#[test]
+fn both_cores() {
+    for order in [Order::Linear, Order::Quadratic] {
+        let core = Core::for_frame(order, 320, 240).expect("in range");
+        let files = rtl(&core).expect("emits").files;
+        assert_eq!(
+            files,
+            rtl(&core).expect("emits").files,
+            "emission is not deterministic"
+        );
+        let directory = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("tests/expected")
+            .join(core.name());
+        if std::env::var_os("SHADEGATE_BLESS").is_some() {
+            let _ = std::fs::remove_dir_all(&directory);
+            std::fs::create_dir_all(&directory).expect("writable");
+            for f in &files {
+                std::fs::write(directory.join(f.file_name()), &f.text).expect("writable");
+            }
+        }
+        for f in &files {
+            let path = directory.join(f.file_name());
+            let want = std::fs::read_to_string(&path)
+                .unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+            let line = want.lines().zip(f.text.lines()).position(|(a, b)| a != b);
+            assert_eq!(
+                want,
+                f.text,
+                "{}: first difference at line {:?}",
+                path.display(),
+                line.map(|l| l + 1)
+            );
+        }
+        assert_eq!(
+            std::fs::read_dir(&directory).expect("exists").count(),
+            files.len(),
+            "stray files in {directory:?}"
+        );
+    }
+}
