@@ -47,7 +47,7 @@ pub struct CosimArgs {
     /// Frame size [default: the scene's]
     #[arg(long, value_name = "WxH")]
     size: Option<String>,
-    /// Folder for frames, Verilog and reports; made if it is missing [default: nothing is written]
+    /// Folder for frames, Verilog and reports; made if it is missing [default: out/<scene>-<method>-<engine>]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 }
@@ -64,12 +64,16 @@ pub fn run(a: &CosimArgs, global: Global) -> Outcome {
     let scene = scene::load(&a.scene).map_err(Failure::input)?;
     let method = hardware_method(a.method.as_deref(), a.core.as_deref(), scene.render.method)?;
     progress.say(format!("{} draws {} in {engine}", method, scene.name));
+    let folder = a
+        .output
+        .clone()
+        .unwrap_or_else(|| Path::new("out").join(format!("{}-{method}-{engine}", scene.name)));
     let options = CosimOptions {
         method,
         engine,
         size,
         wave,
-        output: a.output.clone(),
+        output: Some(folder.clone()),
         stimulus: StimulusOptions::default(),
         command: command(&a.scene, method, engine, size),
     };
@@ -83,7 +87,7 @@ pub fn run(a: &CosimArgs, global: Global) -> Outcome {
     let text = if global.quiet {
         String::new()
     } else {
-        text(&report, a, global.verbose)
+        text(&report, a.wave.as_deref(), &folder, global.verbose)
     };
     let json = serde_json::to_value(&report).unwrap_or(Value::Null);
     Ok(Report { text, json, exit })
@@ -145,7 +149,7 @@ pub fn failure(e: CosimError) -> Failure {
     }
 }
 
-fn text(r: &CosimReport, a: &CosimArgs, verbose: bool) -> String {
+fn text(r: &CosimReport, wave: Option<&Path>, folder: &Path, verbose: bool) -> String {
     let mut out = format!(
         "{}: {}x{}, {} core, {}\n",
         r.scene, r.width, r.height, r.core, r.engine
@@ -209,7 +213,7 @@ fn text(r: &CosimReport, a: &CosimArgs, verbose: bool) -> String {
             r.method
         );
     }
-    for path in a.wave.iter().chain(&a.output) {
+    for path in wave.into_iter().chain([folder]) {
         let _ = writeln!(out, "wrote {}", path.display());
     }
     out

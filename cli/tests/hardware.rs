@@ -43,8 +43,8 @@ fn every_pixel_of_a_small_scene() {
     }
     assert_eq!(
         f.names(),
-        ["ball.toml"],
-        "nothing is written unless asked for"
+        ["ball.toml", "out"],
+        "results go to ./out unless told otherwise"
     );
     let r = f.json("cosim ball.toml --size 24x16 --core gouraud", 0);
     assert_eq!(

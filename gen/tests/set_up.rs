@@ -72,7 +72,7 @@ fn triangle(r: &mut StdRng, i: usize) -> [Point; 3] {
         x: (cx + r.random_range(-reach..=reach)).clamp(-160 * 256, 480 * 256),
         y: (cy + r.random_range(-reach..=reach)).clamp(-120 * 256, 360 * 256),
     });
-    if i % 3 == 0 {
+    if i.is_multiple_of(3) {
         // A sliver: the third corner a few sub-pixels beside the middle of an edge.
         let mid = |a: i32, b: i32| (a + b) / 2;
         p[2] = Point {
