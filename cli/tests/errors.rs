@@ -57,7 +57,7 @@ fn sizes() {
     for command in ["cosim ball.toml", "gen gouraud", "gen --scene ball.toml"] {
         f.refuses(
             &format!("{command} --size 3000x4"),
-            "frame 3000x4 exceeds the core's coordinate range: at most 2047 columns, 1024 rows, and columns + 2·rows \
+            "frame 3000x4 exceeds the core's coordinate range: at most 2040 columns, 1024 rows, and columns + 2·rows \
              at most 4095",
         );
     }

@@ -144,6 +144,31 @@ fn a_large_frame_takes_the_wide_formats() {
     }
 }
 
+/// The widest and the highest frame, of a scene that runs past every border: the guard band keeps it in range.
+#[test]
+fn the_largest_frames_stay_in_the_core_s_coordinates() {
+    let scene = load("two-lights.toml");
+    for size in [(2040, 40), (1500, 1024), (60, 1024)] {
+        let o = CosimOptions {
+            method: Method::Gouraud,
+            engine: Engine::RustHdl,
+            size: Some(size),
+            wave: None,
+            output: None,
+            stimulus: Default::default(),
+            command: "test".into(),
+        };
+        let r = cosim(&scene, &o).unwrap_or_else(|e| panic!("{size:?}: {e}"));
+        assert_eq!(r.mismatches, 0, "{size:?}: {:?}", r.first_mismatch);
+        assert!(
+            r.arithmetic["max_lsb"] <= 1.0 && r.pixels > 1_000,
+            "{size:?}: {} {:?}",
+            r.pixels,
+            r.arithmetic
+        );
+    }
+}
+
 #[test]
 fn what_the_host_leaves_out_changes_no_pixel() {
     let scene = load("two-lights.toml");

@@ -23,8 +23,8 @@ pub type GouraudWide = GouraudCore<26, 14, 32, 21>;
 pub const NARROW_RUN: u32 = 1023;
 /// Longest run of the wide formats.
 pub const WIDE_RUN: u32 = 4095;
-/// Widest frame: a column and its successor fit the signed 12-bit walk column.
-pub const MAX_WIDTH: u32 = 2047;
+/// Widest frame: with a few columns of guard band on either side a walk column fits 12 signed bits.
+pub const MAX_WIDTH: u32 = 2040;
 /// Highest frame: with a guard band of half a frame on each side an edge spans at most 2048 rows.
 pub const MAX_HEIGHT: u32 = 1024;
 

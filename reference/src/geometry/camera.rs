@@ -34,6 +34,12 @@ pub struct View {
 }
 
 impl View {
+    /// Columns of the frame.
+    #[must_use]
+    pub fn width(&self) -> f64 {
+        self.size[0]
+    }
+
     /// The view of `camera` on a frame of `width` × `height` square pixels.
     #[must_use]
     pub fn new(camera: &Camera, width: u32, height: u32) -> Self {

@@ -1,6 +1,6 @@
 //! Polygon clipping in homogeneous clip space (Sutherland–Hodgman 1974) against near, far and the guard band, the
-//! planes x = ±2w and y = ±2w: half a frame of margin on every side. Nothing is divided before it is in front of the
-//! eye. A crossing is always computed from the inner to the outer vertex, so two triangles that share an edge cut it at
+//! planes x = ±2w and y = ±2w: half a frame of margin on every side, less where a wide frame would leave the columns
+//! that 12 signed bits hold. Nothing is divided before it is in front of the eye. A crossing is always computed from the inner to the outer vertex, so two triangles that share an edge cut it at
 //! the same point to the last bit.
 
 use super::camera::{Clip, View};
@@ -8,6 +8,20 @@ use glam::DVec3;
 
 /// The guard band reaches this far, in half frames from the middle: columns −w/2 to 3w/2.
 pub const GUARD: f64 = 2.0;
+
+/// Rightmost column of the guard band, for frames that end before it: a walk column then fits 12 signed bits, which is
+/// what hardware wants. Wider frames are for software alone and keep the full band.
+pub const GUARD_COLUMN: f64 = 2045.0;
+
+/// Reach of the guard band to the sides, in half frames.
+fn guard_columns(width: f64) -> f64 {
+    let margin = GUARD_COLUMN - width;
+    if margin >= 1.0 {
+        GUARD.min(1.0 + 2.0 * margin / width)
+    } else {
+        GUARD
+    }
+}
 
 /// A vertex with what is interpolated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,8 +39,10 @@ pub struct Vertex {
 pub struct Planes {
     near: f64,
     far: f64,
-    /// Half-width and half-height in units of w: [`GUARD`] for clipping, 1 for culling.
-    band: f64,
+    /// Half-width in units of w: at most [`GUARD`] for clipping, 1 for culling.
+    band_x: f64,
+    /// Half-height in units of w: [`GUARD`] for clipping, 1 for culling.
+    band_y: f64,
 }
 
 impl Planes {
@@ -39,7 +55,8 @@ impl Planes {
         Self {
             near: view.near,
             far: view.far,
-            band: GUARD,
+            band_x: guard_columns(view.width()),
+            band_y: GUARD,
         }
     }
 
@@ -47,7 +64,8 @@ impl Planes {
     #[must_use]
     pub fn frustum(view: &View) -> Self {
         Self {
-            band: 1.0,
+            band_x: 1.0,
+            band_y: 1.0,
             ..Self::guard(view)
         }
     }
@@ -58,10 +76,10 @@ impl Planes {
         match i {
             0 => c.depth - self.near,
             1 => self.far - c.depth,
-            2 => self.band * c.w + c.x,
-            3 => self.band * c.w - c.x,
-            4 => self.band * c.w + c.y,
-            _ => self.band * c.w - c.y,
+            2 => self.band_x * c.w + c.x,
+            3 => self.band_x * c.w - c.x,
+            4 => self.band_y * c.w + c.y,
+            _ => self.band_y * c.w - c.y,
         }
     }
 }
