@@ -47,10 +47,10 @@ pub fn file(path: &Path, ending: &str) -> Result<(), Failure> {
     }
 }
 
-/// A folder that will be filled; made if only itself is missing.
+/// A folder that will be filled; made, with its parents, if it is missing.
 ///
 /// # Errors
-/// A file of that name, or no folder to make it in.
+/// A file of that name, or one where a parent should be.
 pub fn folder(path: &Path) -> Result<(), Failure> {
     match std::fs::metadata(path) {
         Ok(there) if there.is_dir() => Ok(()),
@@ -58,7 +58,10 @@ pub fn folder(path: &Path) -> Result<(), Failure> {
             "cannot write to '{}': it is not a directory",
             path.display()
         ))),
-        Err(_) => in_a_folder(path),
+        Err(_) => match parent(path) {
+            up if up == path || up.is_dir() => Ok(()),
+            up => folder(up),
+        },
     }
 }
 

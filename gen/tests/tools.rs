@@ -68,8 +68,13 @@ fn lint() {
             let iverilog = [&["-g2001", "-Wall", "-s", &top, "-o", "lint"], &rtl[..]].concat();
             silent(directory.path(), "iverilog", &iverilog);
             let bench = format!("sim/tb_{top}.v");
-            let with_bench =
-                [&["-g2001", "-Wall", "-o", "lint", bench.as_str()], &rtl[..]].concat();
+            // The bench comes last: its timescale is not the design's.
+            let with_bench = [
+                &["-g2001", "-Wall", "-o", "lint"],
+                &rtl[..],
+                &[bench.as_str()],
+            ]
+            .concat();
             silent(directory.path(), "iverilog", &with_bench);
         }
     }

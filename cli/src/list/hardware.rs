@@ -48,7 +48,7 @@ pub fn cores() -> Section {
         }
     }
     section.note = Some(format!(
-        "A frame has a run of columns + 2·rows, and at most {MAX_WIDTH}x{MAX_HEIGHT} pixels; the narrowest format \
+        "A frame has a run of 1.5·columns + 2·rows (guard band, carries), and at most {MAX_WIDTH}x{MAX_HEIGHT} pixels; the narrowest format \
          that fits is taken."
     ));
     section

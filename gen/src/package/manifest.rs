@@ -4,6 +4,7 @@ use super::{Rtl, Target};
 use crate::netlist::SignalKind;
 use crate::vectors::Trace;
 use serde::Serialize;
+use shadegate_hdl::shade::device::longest_run;
 use std::collections::BTreeMap;
 
 /// A port of the top module.
@@ -56,7 +57,7 @@ pub struct Manifest {
     pub ports: Vec<PortEntry>,
     /// Formats by signal class: colour, depth, column, error term.
     pub formats: BTreeMap<&'static str, FormatEntry>,
-    /// Clocks from `start` to the first pixel.
+    /// Clocks from the edge that takes `start` to the edge at which the first pixel can be taken.
     pub latency: u32,
     /// Largest arithmetic error before the final rounding, LSB, for the longest run in this frame.
     pub error_bound_lsb: f64,
@@ -80,7 +81,7 @@ impl Manifest {
     }
 }
 
-/// Clocks from the edge that sees `start` to the edge that shows the first pixel, both cores.
+/// Clocks from the edge that takes `start` to the edge at which the first pixel can be taken, both cores.
 pub const LATENCY: u32 = 5;
 
 fn entry(int: usize, frac: usize) -> FormatEntry {
@@ -148,7 +149,7 @@ pub fn manifest(
         ports: ports.collect(),
         formats,
         latency: LATENCY,
-        error_bound_lsb: core.error_bound(size.0 + 2 * size.1),
+        error_bound_lsb: core.error_bound(longest_run(size.0, size.1).unwrap_or(u32::MAX)),
         frame: size,
         block_ram: BlockRam {
             needed_kbit,

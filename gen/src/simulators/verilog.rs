@@ -16,7 +16,6 @@ pub fn test_bench(core: &Core) -> String {
 // iverilog -g2001 -o sim ../rtl/*.v tb_{name}_core.v && vvp sim +vectors=vectors.txt
 // Options: +pixels=FILE writes every pixel, +wave=FILE [+from=CLOCK] [+to=CLOCK] dumps a waveform.
 
-`timescale 1ns / 1ps
 `default_nettype none
 
 module tb_{name}_core;

@@ -1,7 +1,7 @@
 //! The cores as one type: which datapath, which formats, how large a frame.
 //!
 //! rust-hdl formats are const generics, so a choice made at run time needs every combination compiled. There are two
-//! word lengths per core, told apart by how far an accumulator can run: n = columns + 2·rows (every row may carry).
+//! word lengths per core, told apart by how far an accumulator can run in a frame (see [`longest_run`]).
 
 use super::gouraud::GouraudCore;
 use super::model::{CoreInputs, CoreModel, CoreOutputs, Order};
@@ -19,7 +19,7 @@ pub type GouraudNarrow = GouraudCore<24, 12, 32, 17>;
 /// Gouraud core with Q11.14 colours, 32-bit bus, 2^21 frame addresses.
 pub type GouraudWide = GouraudCore<26, 14, 32, 21>;
 
-/// Longest run (columns + 2·rows) of the narrow formats.
+/// Longest run of the narrow formats.
 pub const NARROW_RUN: u32 = 1023;
 /// Longest run of the wide formats.
 pub const WIDE_RUN: u32 = 4095;
@@ -27,6 +27,17 @@ pub const WIDE_RUN: u32 = 4095;
 pub const MAX_WIDTH: u32 = 2040;
 /// Highest frame: with a guard band of half a frame on each side an edge spans at most 2048 rows.
 pub const MAX_HEIGHT: u32 = 1024;
+
+/// Most additions between the first span start of a triangle and one of its pixels in a frame: every row, a carry in
+/// every row, and every column from the far edge of the guard band (half a frame, or what 12-bit columns leave of it)
+/// to the opposite border. `None` when that does not fit 32 bits.
+#[must_use]
+pub fn longest_run(width: u32, height: u32) -> Option<u32> {
+    let beside = (width / 2).min((1 << 11) - 2 - width.min((1 << 11) - 2));
+    width
+        .checked_add(beside)?
+        .checked_add(height.checked_mul(2)?)
+}
 
 /// A core, chosen at run time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -44,7 +55,7 @@ impl Core {
     /// the frame exceeds the coordinate range.
     #[must_use]
     pub fn for_frame(order: Order, width: u32, height: u32) -> Option<Self> {
-        let run = width.checked_add(height.checked_mul(2)?)?;
+        let run = longest_run(width, height)?;
         let fits =
             width <= MAX_WIDTH && height <= MAX_HEIGHT && run <= WIDE_RUN && width * height >= 2;
         fits.then(|| Self {

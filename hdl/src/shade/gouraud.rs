@@ -3,7 +3,7 @@
 //! # Range and rounding
 //! Colours are Q11.N; knots lie in 0..=1530 and a plane stays between its corners. Difference registers hold residues
 //! modulo 2^(12+N). With words rounded to nearest the error at a pixel is at most (1 + n)·2^−(N+1) LSB, n = lines +
-//! carries + pixels from the start: 0.10 LSB for N = 12 and n ≤ 800 (320×240).
+//! carries + pixels from the start: 0.12 LSB for N = 12 and n ≤ 960 (320×240 with its guard band).
 
 use super::saturate::Saturate;
 use crate::depth::z_buffer::ZBuffer;

@@ -7,8 +7,8 @@
 //! Colours are Q11.N. Knots lie in 0..=1530, so at a covered centre −510 ≤ I ≤ 2040: it fits in ±2048. Difference
 //! registers of thin triangles may exceed that; their residues modulo 2^(12+N) still add up to the right value, because
 //! every register is a sum of the ten words and the final sum fits. With words rounded to nearest the error at a pixel is
-//! at most (1 + n(n + 1)/2)·2^−(N+1) LSB, n = lines + carries + pixels from the start: 0.15 LSB for N = 20 and
-//! n ≤ 800 (320×240).
+//! at most (1 + n(n + 1)/2)·2^−(N+1) LSB, n = lines + carries + pixels from the start: 0.22 LSB for N = 20 and
+//! n ≤ 960 (320×240 with its guard band).
 
 use super::saturate::Saturate;
 use crate::depth::z_buffer::ZBuffer;

@@ -14,7 +14,7 @@ use shadegate_gen::scene::{method_of, order_of, triangles};
 use shadegate_gen::stimulus::{build, StimulusError, StimulusOptions};
 use shadegate_gen::vectors::Trace;
 use shadegate_gen::write::WriteError;
-use shadegate_hdl::shade::device::{Core, MAX_HEIGHT, MAX_WIDTH, WIDE_RUN};
+use shadegate_hdl::shade::device::{Core, MAX_HEIGHT, MAX_WIDTH};
 use shadegate_reference::raster::Viewport;
 use shadegate_reference::{render, Method, Prepared, RenderOptions, Scene, SceneError, Skips};
 use std::path::PathBuf;
@@ -50,8 +50,8 @@ pub enum CosimError {
     NoCore(Method),
     /// The frame exceeds the core's coordinates.
     #[error(
-        "frame {width}x{height} exceeds the core's coordinate range: at most {MAX_WIDTH} columns, {MAX_HEIGHT} rows, \
-         and columns + 2·rows at most {WIDE_RUN}"
+        "frame {width}x{height} exceeds the core's coordinate range: at most {MAX_WIDTH} columns and \
+         {MAX_HEIGHT} rows"
     )]
     TooLarge {
         /// Columns.

@@ -7,6 +7,7 @@ use crate::engine::Run;
 use serde::Serialize;
 use shadegate_gen::stimulus::Stimulus;
 use shadegate_gen::vectors::Trace;
+use shadegate_hdl::shade::device::longest_run;
 use shadegate_hdl::shade::{COLOUR_INTEGER_BITS, DEPTH_FRACTION_BITS, DEPTH_INTEGER_BITS};
 use std::collections::BTreeMap;
 
@@ -228,7 +229,7 @@ impl CosimReport {
                 ("max_lsb", f64::from(i.fragments.max_lsb)),
                 ("rms_lsb", i.fragments.rms_lsb),
             ]),
-            error_bound_lsb: core.error_bound(width + 2 * height),
+            error_bound_lsb: core.error_bound(longest_run(width, height).unwrap_or(u32::MAX)),
             formats: BTreeMap::from([
                 ("colour", format(COLOUR_INTEGER_BITS, core.fraction_bits())),
                 ("depth", format(DEPTH_INTEGER_BITS, DEPTH_FRACTION_BITS)),
