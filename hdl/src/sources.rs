@@ -9,6 +9,7 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("gouraud_core", include_str!("shade/gouraud.rs")),
     ("linear_1", include_str!("interpolate/linear_1.rs")),
     ("linear_2", include_str!("interpolate/linear_2.rs")),
+    ("pixel_stream", include_str!("shade/pixel_stream.rs")),
     ("quadratic_1", include_str!("interpolate/quadratic_1.rs")),
     ("quadratic_2", include_str!("interpolate/quadratic_2.rs")),
     ("quadratic_core", include_str!("shade/quadratic.rs")),

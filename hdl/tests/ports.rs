@@ -12,6 +12,7 @@ use shadegate_hdl::interpolate::quadratic_2::Quadratic2;
 use shadegate_hdl::raster::edge_walk::EdgeWalk;
 use shadegate_hdl::raster::shell::Shell;
 use shadegate_hdl::shade::device::{GouraudNarrow, QuadraticNarrow};
+use shadegate_hdl::shade::pixel_stream::PixelStream;
 use shadegate_hdl::shade::saturate::Saturate;
 use shadegate_hdl::simulate::{check_ports, Quiet, Register, Wire};
 
@@ -28,6 +29,7 @@ fn every_description_lists_its_ports() {
     check_ports(&FrameMemory::<6>::new(41)).unwrap();
     check_ports(&ZBuffer::<6>::new(41)).unwrap();
     check_ports(&Saturate::default()).unwrap();
+    check_ports(&PixelStream::<6>::new(41)).unwrap();
     check_ports(&GouraudNarrow::new(1200)).unwrap();
     check_ports(&QuadraticNarrow::new(1200)).unwrap();
 }

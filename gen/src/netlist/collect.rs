@@ -1,6 +1,6 @@
 //! Walks a connected description and copies what the back end needs.
 
-use super::docs::field_docs;
+use super::docs::{ascii, field_docs};
 use super::{Format, NetlistError};
 use rust_hdl_core::ast::{Verilog, VerilogBlock, VerilogStatement};
 use rust_hdl_core::prelude::{Atom, AtomKind, Block, Probe};
@@ -161,7 +161,7 @@ fn remark(text: &str) -> Option<(String, String)> {
     let text = text.strip_suffix("\")").unwrap_or(text);
     let (key, value) = text.split_once(' ')?;
     let value = value.split_whitespace().collect::<Vec<_>>().join(" ");
-    Some((key.to_string(), value))
+    Some((key.to_string(), ascii(&value)))
 }
 
 /// What the remarks of a description say.

@@ -20,7 +20,7 @@ pub fn field_docs(source: &str) -> HashMap<String, String> {
                 !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
             if is_name && !pending.is_empty() {
                 docs.entry(name.to_string())
-                    .or_insert_with(|| pending.join(" "));
+                    .or_insert_with(|| ascii(&pending.join(" ")));
             }
         }
         pending.clear();
@@ -28,9 +28,30 @@ pub fn field_docs(source: &str) -> HashMap<String, String> {
     docs
 }
 
+/// The text in ASCII, as the older synthesis tools want their sources: mathematical signs are spelt.
+pub fn ascii(text: &str) -> String {
+    let spelt = |c: char| match c {
+        '·' | '×' => "*".to_string(),
+        '−' | '–' => "-".to_string(),
+        '²' => "^2".to_string(),
+        '≤' => "<=".to_string(),
+        '≥' => ">=".to_string(),
+        '±' => "+-".to_string(),
+        '→' => "->".to_string(),
+        c if c.is_ascii() => c.to_string(),
+        _ => "?".to_string(),
+    };
+    text.chars().map(spelt).collect()
+}
+
 #[cfg(test)]
 mod tests {
-    use super::field_docs;
+    use super::{ascii, field_docs};
+
+    #[test]
+    fn signs_are_spelt() {
+        assert_eq!(ascii("row · width − 1 ≤ 2²"), "row * width - 1 <= 2^2");
+    }
 
     #[test]
     fn docs_belong_to_the_field_below_them() {

@@ -53,6 +53,7 @@ pub struct ZBuffer<const A: usize> {
     stored: Wire<U<16>>,
     /// The fragment is nearer than all before.
     visible: Wire<Bit>,
+    /// One depth per pixel.
     memory: Quiet<FrameMemory<A>>,
     /// Last word of the memory.
     last_address: Constant<U<A>>,

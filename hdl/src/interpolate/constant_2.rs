@@ -30,6 +30,7 @@ pub struct Constant2<const D: usize, const M: usize, const N: usize> {
     word_value: Register<Q<M, N>>,
     /// Value of the current triangle.
     line_value: Register<Q<M, N>>,
+    /// The current span.
     span: Quiet<Constant1<M, N>>,
 }
 

@@ -57,6 +57,7 @@ pub struct Linear2<const D: usize, const M: usize, const N: usize> {
     d_line: Register<Q<M, N>>,
     /// Difference along the carrying line step.
     d_line_carry: Register<Q<M, N>>,
+    /// The current span.
     span: Quiet<Linear1<M, N>>,
 }
 

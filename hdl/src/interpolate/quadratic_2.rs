@@ -87,6 +87,7 @@ pub struct Quadratic2<const D: usize, const M: usize, const N: usize> {
     dd_line_carry: Register<Q<M, N>>,
     /// Second difference t,t.
     dd_carry: Register<Q<M, N>>,
+    /// The current span.
     span: Quiet<Quadratic1<M, N>>,
 }
 

@@ -220,7 +220,9 @@ pub struct Shell<const A: usize> {
     screen_address: Wire<U<A>>,
     /// Frame width, as an address step.
     width_address: Wire<U<A>>,
+    /// The edge that spans all rows.
     major: Quiet<EdgeWalk>,
+    /// The edge that ends the spans.
     minor: Quiet<EdgeWalk>,
     /// Column 0.
     zero: Constant<Q<11, 0>>,

@@ -3,6 +3,7 @@
 pub mod device;
 pub mod gouraud;
 pub mod model;
+pub mod pixel_stream;
 pub mod quadratic;
 pub mod saturate;
 

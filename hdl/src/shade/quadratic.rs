@@ -10,15 +10,13 @@
 //! at most (1 + n(n + 1)/2)·2^−(N+1) LSB, n = lines + carries + pixels from the start: 0.22 LSB for N = 20 and
 //! n ≤ 960 (320×240 with its guard band).
 
-use super::saturate::Saturate;
-use crate::depth::z_buffer::ZBuffer;
-use crate::format::{bit_cast_u, unsigned_cast_integer, U};
+use super::pixel_stream::PixelStream;
+use crate::format::{bit_cast_u, U};
 use crate::interpolate::linear_2::Linear2;
 use crate::interpolate::quadratic_2::Quadratic2;
 use crate::raster::shell::Shell;
-use crate::simulate::{Quiet, Register, Wire};
+use crate::simulate::{Quiet, Wire};
 use rust_hdl_core::prelude::*;
-use rust_hdl_widgets::dff_setup;
 
 /// `D` = 12 + `N`: width of a colour word; `N`: its fraction bits; `B`: width of the register bus, max(D, 32);
 /// `A`: width of a frame address.
@@ -61,36 +59,6 @@ pub struct QuadraticCore<const D: usize, const N: usize, const B: usize, const A
     pub busy: Signal<Out, Bit>,
     /// Pulses for one clock when `busy` falls.
     pub done: Signal<Out, Bit>,
-    /// Column of the fragment before the depth verdict.
-    drawn_x: Register<U<11>>,
-    /// Its row.
-    drawn_y: Register<U<11>>,
-    /// Its red.
-    drawn_red: Register<U<8>>,
-    /// Its green.
-    drawn_green: Register<U<8>>,
-    /// Its blue.
-    drawn_blue: Register<U<8>>,
-    /// A visible pixel is offered.
-    out_valid: Register<Bit>,
-    /// Its column.
-    out_x: Register<U<11>>,
-    /// Its row.
-    out_y: Register<U<11>>,
-    /// Its red.
-    out_red: Register<U<8>>,
-    /// Its green.
-    out_green: Register<U<8>>,
-    /// Its blue.
-    out_blue: Register<U<8>>,
-    /// Its depth.
-    out_depth: Register<U<16>>,
-    /// Busy, one clock ago.
-    was_busy: Register<Bit>,
-    /// The pipeline moves.
-    go: Wire<Bit>,
-    /// Anything is waiting, being drawn or being cleared.
-    is_busy: Wire<Bit>,
     /// A register write is accepted.
     accept: Wire<Bit>,
     /// Register word.
@@ -103,19 +71,18 @@ pub struct QuadraticCore<const D: usize, const N: usize, const B: usize, const A
     bus_colour: Wire<U<D>>,
     /// Register bus as wide as a shell word.
     bus_32: Wire<U<32>>,
-    /// Depth less 32768, as bits.
-    depth_bits: Wire<U<16>>,
-    /// The bias of the depth interpolant: depths 0 to 65535 are walked as -32768 to 32767.
-    depth_bias: Constant<U<16>>,
+    /// Register file of the shell, edge walk, pixel counter.
     shell: Quiet<Shell<A>>,
+    /// Red.
     red_value: Quiet<Quadratic2<D, 11, N>>,
+    /// Green.
     green_value: Quiet<Quadratic2<D, 11, N>>,
+    /// Blue.
     blue_value: Quiet<Quadratic2<D, 11, N>>,
+    /// Depth less 32768.
     depth_value: Quiet<Linear2<32, 15, 16>>,
-    red_byte: Quiet<Saturate>,
-    green_byte: Quiet<Saturate>,
-    blue_byte: Quiet<Saturate>,
-    z_buffer: Quiet<ZBuffer<A>>,
+    /// Clamp, depth test, output register.
+    stream: Quiet<PixelStream<A>>,
 }
 
 impl<const D: usize, const N: usize, const B: usize, const A: usize> QuadraticCore<D, N, B, A> {
@@ -144,38 +111,18 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> QuadraticCo
             depth: Default::default(),
             busy: Default::default(),
             done: Default::default(),
-            drawn_x: Default::default(),
-            drawn_y: Default::default(),
-            drawn_red: Default::default(),
-            drawn_green: Default::default(),
-            drawn_blue: Default::default(),
-            out_valid: Default::default(),
-            out_x: Default::default(),
-            out_y: Default::default(),
-            out_red: Default::default(),
-            out_green: Default::default(),
-            out_blue: Default::default(),
-            out_depth: Default::default(),
-            was_busy: Default::default(),
-            go: Default::default(),
-            is_busy: Default::default(),
             accept: Default::default(),
             word: Default::default(),
             channels: Default::default(),
             selects_shell: Default::default(),
             bus_colour: Default::default(),
             bus_32: Default::default(),
-            depth_bits: Default::default(),
-            depth_bias: Constant::new(U::new(1 << 15)),
             shell: Default::default(),
             red_value: Default::default(),
             green_value: Default::default(),
             blue_value: Default::default(),
             depth_value: Default::default(),
-            red_byte: Default::default(),
-            green_byte: Default::default(),
-            blue_byte: Default::default(),
-            z_buffer: ZBuffer::new(pixels).into(),
+            stream: PixelStream::new(pixels).into(),
         }
     }
 }
@@ -190,32 +137,6 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
         comment!("equation I(x, y) = T5 x^2 + T4 x y + T3 y^2 + T2 x + T1 y + T0 per channel, by forward differences");
         comment!("source Abbas 2003, chapter 7 and appendix; set-up Hast 2004, equations 3.213 to 3.233.");
         comment!("latency Five clocks from start to the first pixel; then one pixel per clock.");
-        dff_setup!(
-            self,
-            clock,
-            drawn_x,
-            drawn_y,
-            drawn_red,
-            drawn_green,
-            drawn_blue,
-            out_valid,
-            out_x,
-            out_y,
-            out_red,
-            out_green,
-            out_blue,
-            out_depth,
-            was_busy
-        );
-
-        // Stages move together; only a pixel that nobody takes stops them.
-        self.go.next = !self.out_valid.q.val() || self.ready.val();
-
-        self.is_busy.next = self.shell.busy.val()
-            || self.z_buffer.waiting.val()
-            || self.z_buffer.clearing.val()
-            || self.out_valid.q.val();
-
         // Register file.
         self.accept.next = self.write.val() && self.shell.load_ready.val();
         self.word.next = self.select.val().get_bits::<4>(0);
@@ -229,8 +150,8 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
         self.shell.word.next = self.word.val();
         self.shell.data.next = self.bus_32.val();
         self.shell.start.next = self.start.val();
-        self.shell.hold.next = self.z_buffer.clearing.val();
-        self.shell.go.next = self.go.val();
+        self.shell.hold.next = self.stream.clearing.val();
+        self.shell.go.next = self.stream.go.val();
 
         self.red_value.clock.next = self.clock.val();
         self.red_value.write.next = self.accept.val() && self.channels.val().get_bit(0);
@@ -241,7 +162,6 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
         self.red_value.carry.next = self.shell.carry.val();
         self.red_value.take.next = self.shell.take.val();
         self.red_value.run.next = self.shell.run.val();
-        self.red_byte.value.next = self.red_value.value.val();
 
         self.green_value.clock.next = self.clock.val();
         self.green_value.write.next = self.accept.val() && self.channels.val().get_bit(1);
@@ -252,7 +172,6 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
         self.green_value.carry.next = self.shell.carry.val();
         self.green_value.take.next = self.shell.take.val();
         self.green_value.run.next = self.shell.run.val();
-        self.green_byte.value.next = self.green_value.value.val();
 
         self.blue_value.clock.next = self.clock.val();
         self.blue_value.write.next = self.accept.val() && self.channels.val().get_bit(2);
@@ -263,7 +182,6 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
         self.blue_value.carry.next = self.shell.carry.val();
         self.blue_value.take.next = self.shell.take.val();
         self.blue_value.run.next = self.shell.run.val();
-        self.blue_byte.value.next = self.blue_value.value.val();
 
         self.depth_value.clock.next = self.clock.val();
         self.depth_value.write.next = self.accept.val() && self.channels.val().get_bit(3);
@@ -275,41 +193,29 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
         self.depth_value.take.next = self.shell.take.val();
         self.depth_value.run.next = self.shell.run.val();
 
-        self.depth_bits.next = unsigned_cast_integer::<16, 15, 0>(self.depth_value.value.val());
-        self.z_buffer.clock.next = self.clock.val();
-        self.z_buffer.go.next = self.go.val();
-        self.z_buffer.clear.next = self.clear.val() && !self.is_busy.val();
-        self.z_buffer.fragment.next = self.shell.fragment.val();
-        self.z_buffer.address.next = self.shell.address.val();
-        self.z_buffer.depth.next = self.depth_bits.val() ^ self.depth_bias.val();
-
-        if self.go.val() {
-            self.drawn_x.d.next = self.shell.x.val();
-            self.drawn_y.d.next = self.shell.y.val();
-            self.drawn_red.d.next = self.red_byte.level.val();
-            self.drawn_green.d.next = self.green_byte.level.val();
-            self.drawn_blue.d.next = self.blue_byte.level.val();
-            self.out_valid.d.next = self.z_buffer.pass.val();
-            self.out_x.d.next = self.drawn_x.q.val();
-            self.out_y.d.next = self.drawn_y.q.val();
-            self.out_red.d.next = self.drawn_red.q.val();
-            self.out_green.d.next = self.drawn_green.q.val();
-            self.out_blue.d.next = self.drawn_blue.q.val();
-            self.out_depth.d.next = self.z_buffer.waiting_depth.val();
-        }
-
-        self.was_busy.d.next = self.is_busy.val();
+        self.stream.clock.next = self.clock.val();
+        self.stream.clear.next = self.clear.val();
+        self.stream.ready.next = self.ready.val();
+        self.stream.walking.next = self.shell.busy.val();
+        self.stream.fragment.next = self.shell.fragment.val();
+        self.stream.fragment_x.next = self.shell.x.val();
+        self.stream.fragment_y.next = self.shell.y.val();
+        self.stream.address.next = self.shell.address.val();
+        self.stream.fragment_red.next = self.red_value.value.val();
+        self.stream.fragment_green.next = self.green_value.value.val();
+        self.stream.fragment_blue.next = self.blue_value.value.val();
+        self.stream.fragment_depth.next = self.depth_value.value.val();
 
         self.load_ready.next = self.shell.load_ready.val();
-        self.valid.next = self.out_valid.q.val();
-        self.x.next = self.out_x.q.val();
-        self.y.next = self.out_y.q.val();
-        self.red.next = self.out_red.q.val();
-        self.green.next = self.out_green.q.val();
-        self.blue.next = self.out_blue.q.val();
-        self.depth.next = self.out_depth.q.val();
-        self.busy.next = self.is_busy.val();
-        self.done.next = self.was_busy.q.val() && !self.is_busy.val();
+        self.valid.next = self.stream.valid.val();
+        self.x.next = self.stream.x.val();
+        self.y.next = self.stream.y.val();
+        self.red.next = self.stream.red.val();
+        self.green.next = self.stream.green.val();
+        self.blue.next = self.stream.blue.val();
+        self.depth.next = self.stream.depth.val();
+        self.busy.next = self.stream.busy.val();
+        self.done.next = self.stream.done.val();
     }
 }
 
