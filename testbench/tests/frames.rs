@@ -13,15 +13,22 @@ fn load(name: &str) -> Scene {
     scene::load(&path).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn run(scene: &Scene, method: Method, engine: Engine, output: Option<PathBuf>) -> CosimReport {
-    let o = CosimOptions {
+fn options(method: Method, engine: Engine) -> CosimOptions {
+    CosimOptions {
         method,
         engine,
         size: None,
         wave: None,
-        output,
+        output: None,
         stimulus: Default::default(),
         command: "test".into(),
+    }
+}
+
+fn run(scene: &Scene, method: Method, engine: Engine, output: Option<PathBuf>) -> CosimReport {
+    let o = CosimOptions {
+        output,
+        ..options(method, engine)
     };
     cosim(scene, &o).unwrap_or_else(|e| panic!("{} {method} {engine}: {e}", scene.name))
 }
@@ -121,13 +128,8 @@ fn a_large_frame_takes_the_wide_formats() {
     let scene = load("sphere-168.toml");
     for method in [Method::Quadratic, Method::Gouraud] {
         let o = CosimOptions {
-            method,
-            engine: Engine::RustHdl,
             size: Some((640, 480)),
-            wave: None,
-            output: None,
-            stimulus: Default::default(),
-            command: "test".into(),
+            ..options(method, Engine::RustHdl)
         };
         let r = cosim(&scene, &o).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!((r.mismatches, r.width), (0, 640));
@@ -150,13 +152,8 @@ fn the_largest_frames_stay_in_the_core_s_coordinates() {
     let scene = load("two-lights.toml");
     for size in [(2040, 40), (1500, 1024), (60, 1024)] {
         let o = CosimOptions {
-            method: Method::Gouraud,
-            engine: Engine::RustHdl,
             size: Some(size),
-            wave: None,
-            output: None,
-            stimulus: Default::default(),
-            command: "test".into(),
+            ..options(Method::Gouraud, Engine::RustHdl)
         };
         let r = cosim(&scene, &o).unwrap_or_else(|e| panic!("{size:?}: {e}"));
         assert_eq!(r.mismatches, 0, "{size:?}: {:?}", r.first_mismatch);
@@ -181,16 +178,12 @@ fn what_the_host_leaves_out_changes_no_pixel() {
             .path()
             .join(format!("{skip_unchanged}-{broadcast}"));
         let o = CosimOptions {
-            method: Method::Quadratic,
-            engine: Engine::RustHdl,
-            size: None,
-            wave: None,
             output: Some(output.clone()),
             stimulus: shadegate_gen::stimulus::StimulusOptions {
                 skip_unchanged,
                 broadcast,
             },
-            command: "test".into(),
+            ..options(Method::Quadratic, Engine::RustHdl)
         };
         let r = cosim(&scene, &o).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(r.mismatches, 0);

@@ -1,6 +1,6 @@
 //! Icarus Verilog: the generated Verilog test bench under `vvp`.
 
-use super::process::{output, read_pixels, read_verdict, unpack};
+use super::process::{output, read_pixels, read_verdict, rtl_paths, unpack};
 use super::{Engine, EngineError, Run, Wave};
 use shadegate_gen::package::PackageFile;
 use shadegate_gen::vectors::Trace;
@@ -24,12 +24,7 @@ pub fn run(
     compile
         .current_dir(scratch)
         .args(["-g2001", "-o", "simulation"]);
-    compile.args(
-        package
-            .iter()
-            .filter(|f| f.path.starts_with("rtl/") && f.path.ends_with(".v"))
-            .map(|f| &f.path),
-    );
+    compile.args(rtl_paths(package));
     compile.arg(format!("sim/tb_{core}_core.v"));
     output(ENGINE, &mut compile, false)?;
     let build_ns = begin.elapsed().as_nanos() as u64;

@@ -43,6 +43,12 @@ pub fn unpack(
     Ok(())
 }
 
+/// Paths of the package's Verilog modules.
+pub fn rtl_paths(package: &[PackageFile]) -> impl Iterator<Item = &str> {
+    let paths = package.iter().map(|f| f.path.as_str());
+    paths.filter(|p| p.starts_with("rtl/") && p.ends_with(".v"))
+}
+
 /// Runs a program to its end; its standard output, or what went wrong with the last lines it said.
 pub fn output(
     engine: Engine,

@@ -2,7 +2,7 @@
 
 use super::{Engine, EngineError, Run, SignalMismatch, Wave};
 use rust_hdl_core::vcd_probe::{write_vcd_change, write_vcd_dump, write_vcd_header, VCDProbe};
-use shadegate_gen::vectors::Trace;
+use shadegate_gen::vectors::{pack_outputs, Trace, FLAGS, PIXEL};
 use shadegate_hdl::shade::device::CoreSimulator;
 use shadegate_hdl::shade::model::CoreOutputs;
 use std::fs::File;
@@ -13,34 +13,30 @@ use tempfile::NamedTempFile;
 
 const ENGINE: Engine = Engine::RustHdl;
 
+/// The fields of a clock's outputs, by name, in the order of the vector file.
+fn fields(o: &CoreOutputs) -> impl Iterator<Item = (&'static str, u64)> {
+    let (flags, mut pixel) = pack_outputs(o);
+    let named = FLAGS.into_iter().enumerate();
+    let flags = named.map(move |(bit, name)| (name, flags >> bit & 1));
+    flags.chain(PIXEL.into_iter().map(move |(name, bits)| {
+        let value = pixel & ((1 << bits) - 1);
+        pixel >>= bits;
+        (name, value)
+    }))
+}
+
 /// The first output that differs.
 fn difference(cycle: usize, want: &CoreOutputs, got: &CoreOutputs) -> Option<SignalMismatch> {
-    let fields = |o: &CoreOutputs| {
-        [
-            ("load_ready", u64::from(o.load_ready)),
-            ("valid", u64::from(o.valid)),
-            ("busy", u64::from(o.busy)),
-            ("done", u64::from(o.done)),
-            ("x", u64::from(o.x)),
-            ("y", u64::from(o.y)),
-            ("red", u64::from(o.rgb[0])),
-            ("green", u64::from(o.rgb[1])),
-            ("blue", u64::from(o.rgb[2])),
-            ("depth", u64::from(o.depth)),
-        ]
-    };
-    let pairs = fields(want).into_iter().zip(fields(got));
-    pairs
-        .into_iter()
-        .find(|(w, g)| w.1 != g.1)
-        .map(|(w, g)| SignalMismatch {
-            cycle: cycle as u64,
-            signal: w.0.to_string(),
-            expected: w.1,
-            got: g.1,
-            x: u32::from(want.x),
-            y: u32::from(want.y),
-        })
+    let mut pairs = fields(want).zip(fields(got));
+    let ((signal, expected), (_, got)) = pairs.find(|(w, g)| w.1 != g.1)?;
+    Some(SignalMismatch {
+        cycle: cycle as u64,
+        signal: signal.to_string(),
+        expected,
+        got,
+        x: u32::from(want.x),
+        y: u32::from(want.y),
+    })
 }
 
 /// Picoseconds per clock in the waveform.
@@ -137,4 +133,33 @@ pub fn run(trace: &Trace, wave: Option<&Wave>) -> Result<Run, EngineError> {
         }
     }
     Ok(run)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_output_is_named_when_it_alone_differs() {
+        let want = CoreOutputs::default();
+        let flip = |change: fn(&mut CoreOutputs)| {
+            let mut got = want;
+            change(&mut got);
+            difference(7, &want, &got).map(|d| (d.signal, d.expected, d.got))
+        };
+        assert_eq!(flip(|_| {}), None);
+        assert_eq!(
+            flip(|o| o.load_ready = true),
+            Some(("load_ready".into(), 0, 1))
+        );
+        assert_eq!(flip(|o| o.valid = true), Some(("valid".into(), 0, 1)));
+        assert_eq!(flip(|o| o.busy = true), Some(("busy".into(), 0, 1)));
+        assert_eq!(flip(|o| o.done = true), Some(("done".into(), 0, 1)));
+        assert_eq!(flip(|o| o.x = 2047), Some(("x".into(), 0, 2047)));
+        assert_eq!(flip(|o| o.y = 2047), Some(("y".into(), 0, 2047)));
+        assert_eq!(flip(|o| o.rgb[0] = 255), Some(("red".into(), 0, 255)));
+        assert_eq!(flip(|o| o.rgb[1] = 255), Some(("green".into(), 0, 255)));
+        assert_eq!(flip(|o| o.rgb[2] = 255), Some(("blue".into(), 0, 255)));
+        assert_eq!(flip(|o| o.depth = 65535), Some(("depth".into(), 0, 65535)));
+    }
 }
