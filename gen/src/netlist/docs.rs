@@ -1,6 +1,29 @@
-//! Doc comments of a description's fields, read from its source text.
+//! Doc comments of a description's fields, read from its source text, and the rule that none may be missing.
 
+use super::{Module, NetlistError};
 use std::collections::HashMap;
+
+/// Remarks that a documented module has.
+const REMARKS: [&str; 4] = ["title", "equation", "source", "latency"];
+
+/// The first thing in a hierarchy that lacks a remark or a doc comment. The project's own cores have none.
+#[must_use]
+pub fn undocumented(m: &Module) -> Option<NetlistError> {
+    let missing = |what: String| Some(NetlistError::new(&m.name, what));
+    if let Some(key) = REMARKS
+        .iter()
+        .find(|k| !m.remarks.iter().any(|(own, _)| own == *k))
+    {
+        return missing(format!("has no {key} remark"));
+    }
+    if let Some(s) = m.signals.iter().find(|s| s.doc.is_empty()) {
+        return missing(format!("signal {} has no doc comment", s.name));
+    }
+    if let Some(r) = m.registers.iter().find(|r| r.doc.is_empty()) {
+        return missing(format!("register {} has no doc comment", r.name));
+    }
+    m.children.iter().find_map(|c| undocumented(&c.module))
+}
 
 /// First sentence-block of the doc comment above each `name: Type` field, by field name.
 pub fn field_docs(source: &str) -> HashMap<String, String> {

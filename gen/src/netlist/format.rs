@@ -34,7 +34,9 @@ impl Format {
         let format = match &descriptor.kind {
             TypeKind::Enum(variants) => Self::Enumeration(enumeration_width(variants.len())),
             TypeKind::Composite(fields) => {
-                let widths = fields.iter().map(|f| Some(Self::from_descriptor(&f.kind)?.width()));
+                let widths = fields
+                    .iter()
+                    .map(|f| Some(Self::from_descriptor(&f.kind)?.width()));
                 Self::Structure(widths.sum::<Option<usize>>()?)
             }
             _ if name == "clock" => Self::Clock,

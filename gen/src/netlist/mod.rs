@@ -1,16 +1,29 @@
-//! A description as data: modules, their signals with formats, their statements, read through rust-hdl's public probe.
+//! A description as data: modules, their signals with formats, their statements with every expression typed.
 //!
-//! Only the constructs that the project's descriptions use are accepted; everything else is refused with module and
-//! statement. Nothing is guessed: a signal without a known format or a register without a doc comment is an error.
+//! [`collect`] reads a connected rust-hdl description through its public probe. Whatever the Verilog back end, the
+//! compiled simulation and the manifest say about a design, they say of this one netlist. Nothing is guessed: a
+//! construct that cannot be typed is refused with module, statement and reason.
 
-mod collect;
 mod docs;
+mod drivers;
+mod expression;
 mod format;
+mod lower;
+mod memory;
+mod module;
+mod read;
+mod statement;
 
-pub use collect::{collect, Body, Child, Module, Register, Signal, SignalKind};
-pub use format::Format;
+pub use docs::undocumented;
+pub use drivers::always_assigned;
+pub use expression::{Comparison, Expression, Name, Node, Operator, Reduction};
+pub use format::{Format, MAX_WIDTH};
+pub use lower::collect;
+pub use memory::{Memory, ReadPort, WritePort};
+pub use module::{Body, Child, Module, Register, Signal, SignalKind};
+pub use statement::{Arm, Bits, Statement, Target};
 
-/// Why a description cannot become Verilog.
+/// Why a description cannot become a netlist, Verilog or a simulation.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("module {module}: {what}")]
 pub struct NetlistError {

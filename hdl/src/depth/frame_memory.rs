@@ -67,47 +67,25 @@ impl<const A: usize> Logic for FrameMemory<A> {
         self.read_data.connect();
     }
 
+    /// Plain Verilog for rust-hdl's own printer; the back end prints its template from the remarks instead.
     fn hdl(&self) -> Verilog {
         let words = self._words.len();
         let last = words - 1;
-        let bits = usize::BITS as usize - last.leading_zeros() as usize;
-        let top = bits - 1;
-        let mut text = format!(
+        Verilog::Custom(format!(
             "//! name frame_memory_{words}\n\
              //! title Depth memory of {words} words of 16 bits: one read and one write per clock.\n\
              //! equation read_data = words[read_address], old data when the same clock writes there\n\
              //! source Simple dual-port template for block RAM; zero at power-up.\n\
              //! latency One clock from read to read_data.\n\
-             //! reg read_data\n"
-        );
-        let partial = words < 1 << A;
-        if partial {
-            text += &format!(
-                "// Addresses beyond the memory are not accessed.\n\
-                 wire read_inside = (read_address < {A}'d{words});\n\
-                 wire write_inside = (write_address < {A}'d{words});\n"
-            );
-        }
-        let (reads, writes) = if partial {
-            (" && read_inside", " && write_inside")
-        } else {
-            ("", "")
-        };
-        text += &format!(
-            "\n// One word per pixel, 0 = nothing drawn yet. Block RAM powers up as zeros without being told; a loop over the\n\
-             // memory would only cost the synthesiser minutes.\n\
+             //! memory words={words} width=16 outside=kept\n\
+             //! read address=read_address data=read_data enable=read clock=clock\n\
+             //! write address=write_address data=write_data enable=write clock=clock\n\
              reg [15:0] words [0:{last}];\n\
-             initial read_data = 16'd0;\n\n\
-             `ifndef SYNTHESIS\n\
-             integer i;\n\
-             initial begin\n  for (i = 0; i < {words}; i = i + 1) words[i] = 16'd0;\nend\n\
-             `endif\n\n\
              always @(posedge clock) begin\n  \
-             if (write{writes}) words[write_address[{top}:0]] <= write_data;\n  \
-             if (read{reads}) read_data <= words[read_address[{top}:0]];\n\
+             if (write && write_address <= {last}) words[write_address] <= write_data;\n  \
+             if (read && read_address <= {last}) read_data <= words[read_address];\n\
              end\n"
-        );
-        Verilog::Custom(text)
+        ))
     }
 }
 
