@@ -7,6 +7,7 @@
 mod docs;
 mod drivers;
 mod expression;
+mod fold;
 mod format;
 mod lower;
 mod memory;
@@ -17,6 +18,7 @@ mod statement;
 pub use docs::undocumented;
 pub use drivers::always_assigned;
 pub use expression::{Comparison, Expression, Name, Node, Operator, Reduction};
+pub use fold::evaluate;
 pub use format::{Format, MAX_WIDTH};
 pub use lower::collect;
 pub use memory::{Memory, ReadPort, WritePort};

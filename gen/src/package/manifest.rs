@@ -161,6 +161,6 @@ pub fn manifest(
             ("pixels", trace.pixels.len() as u64),
         ]),
         configuration: rtl.configuration.clone(),
-        generator: format!("shadegate {}", env!("CARGO_PKG_VERSION")),
+        generator: super::GENERATOR.to_string(),
     }
 }

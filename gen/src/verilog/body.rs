@@ -1,237 +1,252 @@
 //! Statements as continuous assignments, combinational blocks and clocked blocks.
 //!
-//! Registers: the description's "keep the value unless assigned" becomes a clocked block without the default.
-//! Wires: assigned once, at the top level → `assign`; otherwise → an `always @*` block, which must assign the wire on
-//! every path (a latch is refused). Statements that share an `if` stay together, so the text follows the description.
+//! Registers: "keep the value unless assigned" becomes a clocked block without the default.
+//! Wires: assigned once, unconditionally → `assign`; otherwise → an `always @*` block, which assigns the wire on every
+//! path (the netlist has no latches). Statements that share an `if` stay together, so the text follows the
+//! description, unless a block would read what it drives: a read means the settled value, which a block would not see.
 
-use super::expression::{bare, Printer};
-use crate::netlist::{Format, NetlistError};
-use rust_hdl_core::ast::{
-    VerilogBlock, VerilogBlockOrConditional as Else, VerilogConditional, VerilogExpression as E,
-    VerilogStatement as S,
-};
+use super::expression::{literal, Printer};
+use crate::netlist::{Arm, Expression, Format, Module, Name, Statement, Target};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Where an assignment goes.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Target {
-    /// A wire, output or instance input, by its Verilog name.
-    Wire(String),
-    /// A register.
-    Register(String),
-    /// The clock of a register, which must be the module's clock.
-    RegisterClock(String),
-}
-
-/// What a module knows of assignment targets.
-pub trait Targets {
-    /// The target of an assignment and its format.
-    fn target(&self, name: &str) -> Option<(Target, Format)>;
+/// A printed clocked block.
+#[derive(Debug)]
+pub struct Clocked {
+    /// Its clock.
+    pub clock: String,
+    /// Its lines.
+    pub lines: Vec<String>,
 }
 
 /// The printed body of a module.
 #[derive(Debug, Default)]
 pub struct PrintedBody {
-    /// `assign` right sides by wire, in order of appearance.
-    pub assigns: Vec<(String, String)>,
+    /// `assign` right sides by wire, in order of appearance; the value too, for instance inputs that need no wire.
+    pub assigns: Vec<(Name, Expression, String)>,
     /// Combinational blocks: the wires each drives, and its lines.
     pub combinational: Vec<(BTreeSet<String>, Vec<String>)>,
-    /// Clocked blocks: lines.
-    pub clocked: Vec<Vec<String>>,
-    /// Registers that are assigned.
-    pub registers: BTreeSet<String>,
-    /// Registers whose clock was connected.
-    pub clocked_registers: BTreeSet<String>,
-    /// Verilog names that are read somewhere.
-    pub reads: BTreeSet<String>,
+    /// Clocked blocks.
+    pub clocked: Vec<Clocked>,
 }
 
-struct Splitter<'a> {
-    printer: Printer<'a>,
-    targets: &'a dyn Targets,
-    module: &'a str,
+struct Body<'p, 'm> {
+    printer: &'p mut Printer<'m>,
+    module: &'m Module,
+    /// The statement from which on a target's assignments count: the last unconditional one of the whole target.
+    from: BTreeMap<Target, usize>,
 }
 
-fn flatten<'s>(block: &'s VerilogBlock, out: &mut Vec<&'s S>) {
-    for s in block {
-        match s {
-            S::Macro(inner) => flatten(inner, out),
-            S::Comment(_) => {}
-            other => out.push(other),
-        }
+/// The targets of one block.
+struct Group<'a> {
+    targets: &'a BTreeSet<Target>,
+    clocked: bool,
+}
+
+fn spell(target: &Target) -> String {
+    match target {
+        Target::Wire(name) => name.verilog(),
+        Target::Register(name) => name.clone(),
     }
 }
 
-impl Splitter<'_> {
-    fn error(&self, what: impl Into<String>) -> NetlistError {
-        NetlistError::new(self.module, what)
-    }
-
-    fn target(&self, e: &E) -> Result<(Target, Format), NetlistError> {
-        let E::Signal(name) = e else {
-            return Err(self.error(format!("cannot assign to {e:?}")));
-        };
-        let name = name.strip_suffix("$next").unwrap_or(name);
-        self.targets
-            .target(name)
-            .ok_or_else(|| self.error(format!("cannot assign to {name}")))
-    }
-
-    fn targets_of(&self, s: &S, out: &mut BTreeSet<Target>) -> Result<(), NetlistError> {
-        match s {
-            S::Assignment(to, _) => {
-                out.insert(self.target(to)?.0);
-            }
-            S::If(c) => {
-                self.targets_of_block(&c.then, out)?;
-                match &c.otherwise {
-                    Else::Block(b) => self.targets_of_block(b, out)?,
-                    Else::Conditional(s) => self.targets_of(s, out)?,
-                    Else::None => {}
-                }
-            }
-            other => {
-                let shown: String = format!("{other:?}").chars().take(120).collect();
-                return Err(self.error(format!("statement is not supported: {shown}")));
-            }
-        }
-        Ok(())
-    }
-
-    fn targets_of_block(
-        &self,
-        b: &VerilogBlock,
-        out: &mut BTreeSet<Target>,
-    ) -> Result<(), NetlistError> {
-        let mut flat = vec![];
-        flatten(b, &mut flat);
-        flat.into_iter().try_for_each(|s| self.targets_of(s, out))
-    }
-
-    /// Lines of a statement, reduced to the assignments of `wanted`.
-    fn lines(
-        &self,
-        s: &S,
-        wanted: &BTreeSet<Target>,
-        clocked: bool,
-        indent: usize,
-        out: &mut Vec<String>,
-    ) -> Result<(), NetlistError> {
+impl Body<'_, '_> {
+    fn lines(&mut self, s: &Statement, g: &Group, indent: usize, out: &mut Vec<String>) {
         let pad = "  ".repeat(indent);
         match s {
-            S::Assignment(to, value) => {
-                let (target, format) = self.target(to)?;
-                if !wanted.contains(&target) {
-                    return Ok(());
+            Statement::Assign {
+                target,
+                bits,
+                value,
+            } => {
+                if !g.targets.contains(target) {
+                    return;
                 }
-                let (Target::Wire(name) | Target::Register(name) | Target::RegisterClock(name)) =
-                    &target;
-                let value = bare(&self.printer.assigned(value, format)?);
-                let operator = if clocked { "<=" } else { "=" };
-                out.push(format!("{pad}{name} {operator} {value};"));
+                self.printer.stem = spell(target);
+                let value = self.printer.assigned(value);
+                let operator = if g.clocked { "<=" } else { "=" };
+                let bits = bits.map_or(String::new(), |b| match b.width {
+                    1 => format!("[{}]", b.at),
+                    w => format!("[{}:{}]", b.at + w - 1, b.at),
+                });
+                out.push(format!("{pad}{}{bits} {operator} {value};", spell(target)));
             }
-            S::If(c) => self.conditional(c, wanted, clocked, indent, &pad, out)?,
-            _ => unreachable!("refused while targets were collected"),
+            Statement::If {
+                condition,
+                then,
+                otherwise,
+            } => {
+                self.conditional(condition, then, otherwise, g, indent, &pad, out);
+            }
+            Statement::Case {
+                subject,
+                arms,
+                otherwise,
+            } => self.case(subject, arms, otherwise, g, indent, out),
         }
-        Ok(())
     }
 
+    fn block(&mut self, block: &[Statement], g: &Group, indent: usize) -> Vec<String> {
+        let mut out = vec![];
+        block
+            .iter()
+            .for_each(|s| self.lines(s, g, indent, &mut out));
+        out
+    }
+
+    /// Parts of a condition are named after the first thing that it decides.
+    fn name_condition(&mut self, blocks: &[&[Statement]], g: &Group) {
+        let mut first = None;
+        for s in blocks.iter().copied().flatten() {
+            s.each_target(&mut |t| {
+                if first.is_none() && g.targets.contains(t) {
+                    first = Some(format!("{}_when", spell(t)));
+                }
+            });
+        }
+        self.printer.stem = first.unwrap_or_default();
+    }
+
+    #[allow(clippy::too_many_arguments)]
     fn conditional(
-        &self,
-        c: &VerilogConditional,
-        wanted: &BTreeSet<Target>,
-        clocked: bool,
+        &mut self,
+        condition: &Expression,
+        then: &[Statement],
+        otherwise: &[Statement],
+        g: &Group,
         indent: usize,
         lead: &str,
         out: &mut Vec<String>,
-    ) -> Result<(), NetlistError> {
+    ) {
         let pad = "  ".repeat(indent);
-        let mut then = vec![];
-        let mut flat = vec![];
-        flatten(&c.then, &mut flat);
-        for s in flat {
-            self.lines(s, wanted, clocked, indent + 1, &mut then)?;
+        self.name_condition(&[then, otherwise], g);
+        let test = self.printer.condition(condition);
+        let mut lines = self.block(then, g, indent + 1);
+        let rest = self.block(otherwise, g, indent + 1);
+        if lines.is_empty() && rest.is_empty() {
+            return;
         }
-        let mut otherwise = vec![];
-        let mut chain = None;
-        match &c.otherwise {
-            Else::Block(b) => {
-                let mut flat = vec![];
-                flatten(b, &mut flat);
-                for s in flat {
-                    self.lines(s, wanted, clocked, indent + 1, &mut otherwise)?;
-                }
-            }
-            Else::Conditional(s) => {
-                let mut targets = BTreeSet::new();
-                self.targets_of(s, &mut targets)?;
-                if !targets.is_disjoint(wanted) {
-                    chain = Some(s.as_ref());
-                }
-            }
-            Else::None => {}
-        }
-        if then.is_empty() && otherwise.is_empty() && chain.is_none() {
-            return Ok(());
-        }
-        out.push(format!(
-            "{lead}if ({}) begin",
-            self.printer.condition(&c.test)?
-        ));
-        out.append(&mut then);
-        if let Some(S::If(next)) = chain {
+        out.push(format!("{lead}if ({test}) begin"));
+        out.append(&mut lines);
+        let chain = match otherwise {
+            [Statement::If {
+                condition,
+                then,
+                otherwise,
+            }] if !rest.is_empty() => Some((condition, then, otherwise)),
+            _ => None,
+        };
+        if let Some((condition, then, otherwise)) = chain {
             return self.conditional(
-                next,
-                wanted,
-                clocked,
+                condition,
+                then,
+                otherwise,
+                g,
                 indent,
                 &format!("{pad}end else "),
                 out,
             );
         }
-        if !otherwise.is_empty() {
+        if !rest.is_empty() {
             out.push(format!("{pad}end else begin"));
-            out.append(&mut otherwise);
+            out.extend(rest);
         }
         out.push(format!("{pad}end"));
-        Ok(())
     }
 
-    /// Whether the statements assign `target` on every path.
-    fn always_assigns(&self, block: &[&S], target: &Target) -> Result<bool, NetlistError> {
-        for s in block {
-            let sure = match s {
-                S::Assignment(to, _) => self.target(to)?.0 == *target,
-                S::If(c) => {
-                    let mut then = vec![];
-                    flatten(&c.then, &mut then);
-                    let otherwise = match &c.otherwise {
-                        Else::Block(b) => {
-                            let mut flat = vec![];
-                            flatten(b, &mut flat);
-                            self.always_assigns(&flat, target)?
-                        }
-                        Else::Conditional(s) => self.always_assigns(&[s.as_ref()], target)?,
-                        Else::None => false,
-                    };
-                    otherwise && self.always_assigns(&then, target)?
-                }
-                _ => false,
+    fn case(
+        &mut self,
+        subject: &Expression,
+        arms: &[Arm],
+        otherwise: &[Statement],
+        g: &Group,
+        indent: usize,
+        out: &mut Vec<String>,
+    ) {
+        let pad = "  ".repeat(indent);
+        let mut bodies: Vec<&[Statement]> = arms.iter().map(|a| a.body.as_slice()).collect();
+        bodies.push(otherwise);
+        self.name_condition(&bodies, g);
+        let subject_text = self.printer.condition(subject);
+        let mut arm_lines = vec![];
+        for arm in arms {
+            let label = if arm.name.is_empty() {
+                literal(arm.label, Format::Unsigned(subject.width()))
+            } else {
+                arm.name.clone()
             };
-            if sure {
-                return Ok(true);
-            }
+            arm_lines.push((label, self.block(&arm.body, g, indent + 2)));
         }
-        Ok(false)
+        let rest = self.block(otherwise, g, indent + 2);
+        if rest.is_empty() && arm_lines.iter().all(|(_, l)| l.is_empty()) {
+            return;
+        }
+        out.push(format!("{pad}case ({subject_text})"));
+        for (label, lines) in arm_lines.into_iter().chain([("default".to_string(), rest)]) {
+            // An arm that does nothing here still keeps its label from falling to the default.
+            out.push(format!("{pad}  {label}: begin"));
+            out.extend(lines);
+            out.push(format!("{pad}  end"));
+        }
+        out.push(format!("{pad}endcase"));
+    }
+
+    /// The statements that count for this target.
+    fn owners(&mut self, statements: &[Statement], target: &Target) -> Vec<usize> {
+        let whole = |s: &Statement| matches!(s, Statement::Assign { target: t, bits: None, .. } if t == target);
+        let from = statements.iter().rposition(whole).unwrap_or(0);
+        self.from.insert(target.clone(), from);
+        (from..statements.len())
+            .filter(|i| statements[*i].drives(target))
+            .collect()
+    }
+
+    fn print(
+        &mut self,
+        statements: &[Statement],
+        targets: &BTreeSet<Target>,
+        clocked: bool,
+    ) -> Vec<String> {
+        let mut out = vec![];
+        for (i, s) in statements.iter().enumerate() {
+            let live: BTreeSet<Target> = targets
+                .iter()
+                .filter(|t| self.from.get(*t).copied().unwrap_or(0) <= i)
+                .cloned()
+                .collect();
+            self.lines(
+                s,
+                &Group {
+                    targets: &live,
+                    clocked,
+                },
+                1,
+                &mut out,
+            );
+        }
+        out
+    }
+
+    /// Whether statements that drive these targets read one of them.
+    fn reads_itself(&self, statements: &[Statement], targets: &BTreeSet<Target>) -> bool {
+        let own: BTreeSet<&Name> = targets
+            .iter()
+            .filter_map(|t| match t {
+                Target::Wire(name) => Some(name),
+                Target::Register(_) => None,
+            })
+            .collect();
+        let mut found = false;
+        for s in statements
+            .iter()
+            .filter(|s| targets.iter().any(|t| s.drives(t)))
+        {
+            s.each_read(&mut |n| found |= own.contains(n));
+        }
+        found
     }
 }
 
-/// Is this the "keep the value" default that every register gets first?
-fn is_hold(to: &Target, value: &E) -> bool {
-    matches!((to, value), (Target::Register(name), E::Signal(read)) if read.strip_suffix("$q") == Some(name))
-}
-
-/// Groups of statement indices that drive a common target, in order of first appearance.
+/// Groups of targets that share a statement, in order of first appearance.
 fn groups(owners: &BTreeMap<Target, Vec<usize>>) -> Vec<BTreeSet<Target>> {
     let mut groups: Vec<(BTreeSet<Target>, BTreeSet<usize>)> = vec![];
     let mut by_order: Vec<_> = owners.iter().collect();
@@ -259,114 +274,79 @@ fn groups(owners: &BTreeMap<Target, Vec<usize>>) -> Vec<BTreeSet<Target>> {
 }
 
 /// Prints the statements of a module.
-///
-/// # Errors
-/// Unsupported statements, latches, registers without a hold default, formats that do not agree.
-pub fn print_body(
-    module: &str,
-    block: &VerilogBlock,
-    printer: Printer,
-    targets: &dyn Targets,
-    clock: &str,
-) -> Result<PrintedBody, NetlistError> {
-    let s = Splitter {
+pub fn print_body<'m>(
+    module: &'m Module,
+    statements: &[Statement],
+    printer: &mut Printer<'m>,
+) -> PrintedBody {
+    let mut targets = BTreeSet::new();
+    for s in statements {
+        s.each_target(&mut |t| {
+            targets.insert(t.clone());
+        });
+    }
+    let mut b = Body {
         printer,
-        targets,
         module,
+        from: BTreeMap::new(),
     };
-    let mut statements = vec![];
-    flatten(block, &mut statements);
-    let mut body = PrintedBody::default();
-    let mut held = BTreeSet::new();
-    let mut wires: BTreeMap<Target, Vec<usize>> = BTreeMap::new();
-    let mut registers: BTreeMap<Target, Vec<usize>> = BTreeMap::new();
-    for (i, statement) in statements.iter().enumerate() {
-        if let S::Assignment(to, value) = statement {
-            let (target, _) = s.target(to)?;
-            if let Target::RegisterClock(name) = &target {
-                if !matches!(value, E::Signal(c) if c == clock) {
-                    return Err(s.error(format!("register {name} is not clocked by {clock}")));
-                }
-                body.clocked_registers.insert(name.clone());
-                continue;
-            }
-            if is_hold(&target, value) {
-                held.insert(target);
-                continue;
-            }
-        }
-        let mut targets = BTreeSet::new();
-        s.targets_of(statement, &mut targets)?;
-        for t in targets {
-            match &t {
-                Target::Wire(_) => wires.entry(t).or_default().push(i),
-                Target::Register(_) => registers.entry(t).or_default().push(i),
-                Target::RegisterClock(name) => {
-                    return Err(s.error(format!(
-                        "the clock of register {name} is assigned conditionally"
-                    )))
-                }
+    let mut wires: Vec<(Target, Vec<usize>)> = vec![];
+    let mut registers: BTreeMap<String, BTreeMap<Target, Vec<usize>>> = BTreeMap::new();
+    for target in targets {
+        let at = b.owners(statements, &target);
+        match &target {
+            Target::Wire(_) => wires.push((target, at)),
+            Target::Register(r) => {
+                let clock = b
+                    .module
+                    .register(r)
+                    .map(|r| r.clock.clone())
+                    .unwrap_or_default();
+                registers.entry(clock).or_default().insert(target, at);
             }
         }
     }
-    // Wires assigned once at the top level.
-    let simple = |at: &Vec<usize>| at.len() == 1 && matches!(statements[at[0]], S::Assignment(..));
+    wires.sort_by_key(|(_, at)| at[0]);
+    let mut body = PrintedBody::default();
     let mut complex = BTreeMap::new();
-    let mut ordered: Vec<_> = wires.into_iter().collect();
-    ordered.sort_by_key(|(_, at)| at[0]);
-    for (target, at) in ordered {
-        if simple(&at) {
-            if let (Target::Wire(name), S::Assignment(to, value)) = (&target, statements[at[0]]) {
-                let (_, format) = s.target(to)?;
-                body.assigns
-                    .push((name.clone(), bare(&s.printer.assigned(value, format)?)));
+    for (target, at) in wires {
+        match (&target, at.as_slice()) {
+            (Target::Wire(name), [only])
+                if matches!(&statements[*only], Statement::Assign { bits: None, .. }) =>
+            {
+                let Statement::Assign { value, .. } = &statements[*only] else {
+                    continue;
+                };
+                b.printer.stem = name.verilog();
+                let text = b.printer.assigned(value);
+                body.assigns.push((name.clone(), value.clone(), text));
             }
-        } else {
-            if !s.always_assigns(&statements, &target)? {
-                return Err(s.error(format!(
-                    "{target:?} is not assigned on every path: that would be a latch"
-                )));
+            _ => {
+                complex.insert(target, at);
             }
-            complex.insert(target, at);
         }
     }
     for group in groups(&complex) {
-        let mut lines = vec![];
-        for statement in &statements {
-            s.lines(statement, &group, false, 1, &mut lines)?;
-        }
-        let names = group
-            .iter()
-            .map(|t| {
-                if let Target::Wire(n) = t {
-                    n.clone()
-                } else {
-                    String::new()
-                }
-            })
-            .collect();
-        body.combinational.push((names, lines));
-    }
-    for target in registers.keys() {
-        if !held.contains(target) && !s.always_assigns(&statements, target)? {
-            return Err(s.error(format!(
-                "{target:?} has no value on some path and no hold default"
-            )));
-        }
-        if let Target::Register(name) = target {
-            body.registers.insert(name.clone());
+        let alone = b.reads_itself(statements, &group);
+        let blocks: Vec<BTreeSet<Target>> = if alone {
+            group.into_iter().map(|t| BTreeSet::from([t])).collect()
+        } else {
+            vec![group]
+        };
+        for targets in blocks {
+            let lines = b.print(statements, &targets, false);
+            body.combinational
+                .push((targets.iter().map(spell).collect(), lines));
         }
     }
-    for group in groups(&registers) {
-        let mut lines = vec![];
-        for statement in &statements {
-            if matches!(statement, S::Assignment(to, value) if is_hold(&s.target(to)?.0, value)) {
-                continue;
-            }
-            s.lines(statement, &group, true, 1, &mut lines)?;
+    for (clock, owners) in registers {
+        for group in groups(&owners) {
+            let lines = b.print(statements, &group, true);
+            body.clocked.push(Clocked {
+                clock: clock.clone(),
+                lines,
+            });
         }
-        body.clocked.push(lines);
     }
-    body.reads = s.printer.reads.into_inner();
-    Ok(body)
+    body
 }

@@ -1,59 +1,419 @@
-//! Typed expressions: every one has a format, and prints so that Verilog cannot widen or re-sign it.
+//! Expressions as text that Verilog's width and sign rules cannot change.
+//!
+//! Every operator stands in parentheses and joins operands of one width and one sign, every literal is sized, and only
+//! names are sliced. Where the netlist slices, extends or compares something that Verilog could only do to a name, the
+//! value gets a wire of its own: `<target>_part`, `<target>_part2`, …, numbered within one target, so that an
+//! unrelated line never renames it. A slice of the low bits of a sum or a bitwise operation is taken from the
+//! operands instead, which needs no wire.
 
-use crate::netlist::{Format, NetlistError};
-use rust_hdl_core::ast::{
-    VerilogExpression as E, VerilogLiteral, VerilogOp as Op, VerilogOpUnary as Unary,
+use crate::netlist::{
+    Comparison, Expression, Format, Module, Name, Node, Operator, Reduction, SignalKind,
 };
-use std::cell::RefCell;
 use std::collections::BTreeSet;
 
-/// What a name in a description stands for.
-pub trait Names {
-    /// The Verilog name and format of a name that is read, such as `total$q` or `span$value`.
-    fn read(&self, name: &str) -> Option<(String, Format)>;
-    /// Name of the module, for errors.
-    fn module(&self) -> &str;
-}
-
-/// A printed expression with its format; `None` is a literal that has not met its other side yet.
+/// A wire for a value that needs a name.
 #[derive(Clone, Debug)]
-pub struct Typed {
-    /// Verilog text.
-    pub text: String,
+pub struct Part {
+    /// Its name.
+    pub name: String,
     /// Its format.
     pub format: Format,
+    /// Its value.
+    pub value: String,
+    /// What it is part of.
+    pub stem: String,
+    /// Bits that something reads.
+    used: u128,
 }
 
-fn literal_value(literal: &VerilogLiteral) -> Option<u64> {
-    let text = format!("{literal:x}");
-    u64::from_str_radix(text.split_once("'h")?.1, 16).ok()
+impl Part {
+    /// Runs of bits that nothing reads: lowest and highest.
+    pub fn unused(&self) -> Vec<(usize, usize)> {
+        let mut runs: Vec<(usize, usize)> = vec![];
+        for bit in (0..self.format.width()).filter(|b| self.used >> b & 1 == 0) {
+            match runs.last_mut() {
+                Some((_, high)) if *high + 1 == bit => *high = bit,
+                _ => runs.push((bit, bit)),
+            }
+        }
+        runs
+    }
 }
 
-/// A sized literal; decimal for words, binary for a bit.
-pub fn literal(value: u64, format: Format) -> Option<String> {
+/// A sized literal: binary for a bit, decimal for words, hexadecimal for signed and for long ones.
+pub fn literal(code: u128, format: Format) -> String {
     let width = format.width();
-    if width < 64 && value >> width != 0 {
-        return None;
-    }
-    Some(match format {
-        Format::Bit => format!("1'b{value}"),
-        Format::Unsigned(_) => format!("{width}'d{value}"),
-        Format::Fixed(..) => format!("{width}'sh{value:x}"),
-    })
-}
-
-fn peel(e: &E) -> &E {
-    match e {
-        E::Paren(inner) => peel(inner),
-        other => other,
+    match format {
+        Format::Clock | Format::Bit => format!("1'b{code}"),
+        Format::Signed(_) | Format::Fixed(..) => format!("{width}'sh{code:x}"),
+        _ if width > 64 => format!("{width}'h{code:x}"),
+        _ => format!("{width}'d{code}"),
     }
 }
 
-fn strip(text: &str) -> &str {
-    text.strip_prefix('(')
-        .and_then(|t| t.strip_suffix(')'))
-        .filter(|t| balanced(t))
-        .unwrap_or(text)
+/// `width` bits from `at` of a name; the plain name when that is the whole word.
+pub fn slice(name: &str, whole: usize, at: usize, width: usize) -> String {
+    match (at, width) {
+        (0, w) if w == whole => name.to_string(),
+        (at, 1) => format!("{name}[{at}]"),
+        (at, w) => format!("{name}[{}:{at}]", at + w - 1),
+    }
+}
+
+fn mask(at: usize, width: usize) -> u128 {
+    let ones = if width >= 128 { !0 } else { (1 << width) - 1 };
+    ones << at
+}
+
+/// Prints the expressions of one module.
+pub struct Printer<'a> {
+    module: &'a Module,
+    taken: BTreeSet<String>,
+    /// Names that were read, as Verilog spells them.
+    pub reads: BTreeSet<String>,
+    /// Wires that were needed, each after those it reads.
+    pub parts: Vec<Part>,
+    /// What is being assigned, for the names of parts.
+    pub stem: String,
+}
+
+impl<'a> Printer<'a> {
+    /// For one module; `taken` are the names that parts must not have.
+    pub fn new(module: &'a Module, taken: BTreeSet<String>) -> Self {
+        Self {
+            module,
+            taken,
+            reads: BTreeSet::new(),
+            parts: vec![],
+            stem: String::new(),
+        }
+    }
+
+    /// For the right of an assignment: without outer parentheses.
+    pub fn assigned(&mut self, e: &Expression) -> String {
+        let text = self.text(e);
+        let inner = text.strip_prefix('(').and_then(|t| t.strip_suffix(')'));
+        inner
+            .filter(|t| balanced(t))
+            .map_or(text.clone(), str::to_string)
+    }
+
+    /// A condition that the statement puts in parentheses.
+    pub fn condition(&mut self, e: &Expression) -> String {
+        self.assigned(e)
+    }
+
+    /// The wire that a value is, or gets; its bits count as read when they are sliced.
+    fn named(&mut self, e: &Expression) -> String {
+        if let Node::Read(name) = &e.node {
+            let constant = matches!(name, Name::Signal(s)
+                if self.module.signal(s).is_some_and(|s| matches!(s.kind, SignalKind::Constant(_))));
+            if !constant {
+                return self.read(name);
+            }
+        }
+        let value = self.assigned(e);
+        let same = |p: &Part| p.stem == self.stem && p.value == value && p.format == e.format;
+        if let Some(p) = self.parts.iter().find(|p| same(p)) {
+            return p.name.clone();
+        }
+        let numbered = |i: usize| match i {
+            1 => format!("{}_part", self.stem),
+            i => format!("{}_part{i}", self.stem),
+        };
+        let name = (1..)
+            .map(numbered)
+            .find(|n| !self.taken.contains(n))
+            .unwrap_or_default();
+        self.taken.insert(name.clone());
+        self.parts.push(Part {
+            name: name.clone(),
+            format: e.format,
+            value,
+            stem: self.stem.clone(),
+            used: 0,
+        });
+        name
+    }
+
+    fn used(&mut self, name: &str, at: usize, width: usize) {
+        if let Some(p) = self.parts.iter_mut().find(|p| p.name == name) {
+            p.used |= mask(at, width);
+        }
+    }
+
+    fn read(&mut self, name: &Name) -> String {
+        let text = name.verilog();
+        self.reads.insert(text.clone());
+        text
+    }
+
+    /// Bits of a value.
+    fn slice(&mut self, e: &Expression, at: usize, width: usize) -> String {
+        if at == 0 && width == e.width() {
+            return self.text(e);
+        }
+        let cut = |x: &Expression| {
+            Expression::new(
+                Format::Unsigned(width),
+                Node::Slice(Box::new(x.clone()), at),
+            )
+        };
+        match &e.node {
+            // What is below a bit decides it, so low bits of a sum are the sum of low bits; bitwise, any bits are.
+            Node::Binary(op, a, b)
+                if at == 0 || matches!(op, Operator::And | Operator::Or | Operator::Xor) =>
+            {
+                let pushed = Node::Binary(*op, Box::new(cut(a)), Box::new(cut(b)));
+                return self.text(&Expression::new(Format::Unsigned(width), pushed));
+            }
+            Node::Not(a) => {
+                return self.text(&Expression::new(
+                    Format::Unsigned(width),
+                    Node::Not(Box::new(cut(a))),
+                ))
+            }
+            Node::Literal(code) => {
+                return literal(code >> at & mask(0, width), Format::Unsigned(width))
+            }
+            Node::Slice(a, below) => return self.slice(a, below + at, width),
+            Node::Reformat(a) => return self.slice(a, at, width),
+            Node::Resize(a) if at + width <= a.width() => return self.slice(a, at, width),
+            Node::Append(a, zeros) if at >= *zeros => return self.slice(a, at - zeros, width),
+            _ => {}
+        }
+        let name = self.named(e);
+        self.used(&name, at, width);
+        slice(&name, e.width(), at, width)
+    }
+
+    /// Whether Verilog takes the text of an expression as signed.
+    fn text_signed(&self, e: &Expression) -> bool {
+        match &e.node {
+            Node::Read(_) | Node::Literal(_) => e.format.signed(),
+            Node::Reformat(a) => self.text_signed(a),
+            Node::Slice(a, 0) if a.width() == e.width() => self.text_signed(a),
+            Node::Resize(a) if a.width() == e.width() => self.text_signed(a),
+            Node::Not(a) | Node::Negate(a) | Node::ShiftLeft(a, _) | Node::ShiftRight(a, _) => {
+                self.text_signed(a)
+            }
+            Node::Binary(_, a, b) => self.text_signed(a) && self.text_signed(b),
+            _ => false,
+        }
+    }
+
+    /// An operand whose text has the sign of its format.
+    fn operand(&mut self, e: &Expression) -> String {
+        if self.text_signed(e) == e.format.signed() {
+            return self.text(e);
+        }
+        // A part-select has no sign, so a signed name becomes an unsigned operand without a wire of its own.
+        if let (Node::Reformat(a), false) = (&e.node, e.format.signed()) {
+            if matches!(a.node, Node::Read(_)) && e.width() > 1 {
+                let name = self.named(a);
+                return format!("{name}[{}:0]", e.width() - 1);
+            }
+        }
+        let name = self.named(e);
+        self.used(&name, 0, e.width());
+        name
+    }
+
+    /// The pieces of a concatenation, highest first.
+    fn pieces(&mut self, e: &Expression) -> Vec<String> {
+        match &e.node {
+            Node::Append(a, zeros) => {
+                let mut all = self.pieces(a);
+                all.push(format!("{zeros}'d0"));
+                all
+            }
+            Node::Resize(a) if e.width() > a.width() => {
+                let more = e.width() - a.width();
+                if !a.format.signed() {
+                    let mut all = vec![format!("{more}'d0")];
+                    all.extend(self.pieces(a));
+                    return all;
+                }
+                let mut all = self.sign_and_pieces(a);
+                let sign = all.remove(0);
+                all.insert(
+                    0,
+                    if more == 1 {
+                        sign
+                    } else {
+                        format!("{{{more}{{{sign}}}}}")
+                    },
+                );
+                all
+            }
+            _ => vec![self.text(e)],
+        }
+    }
+
+    /// The sign bit of a signed value, then its pieces.
+    fn sign_and_pieces(&mut self, e: &Expression) -> Vec<String> {
+        let top = e.width() - 1;
+        match &e.node {
+            Node::Append(a, zeros) => {
+                let mut all = self.sign_and_pieces(a);
+                all.push(format!("{zeros}'d0"));
+                all
+            }
+            Node::Slice(a, at) if matches!(a.node, Node::Read(_)) => {
+                vec![self.slice(a, at + top, 1), self.slice(a, *at, e.width())]
+            }
+            _ => {
+                let name = self.named(e);
+                self.used(&name, 0, e.width());
+                vec![slice(&name, e.width(), top, 1), name]
+            }
+        }
+    }
+
+    /// A factor as wide as the product.
+    fn factor(&mut self, e: &Expression, width: usize) -> String {
+        let format = if e.format.signed() {
+            Format::Signed(width)
+        } else {
+            Format::Unsigned(width)
+        };
+        let wide = Expression::new(format, Node::Resize(Box::new(e.clone())));
+        self.operand(&wide)
+    }
+
+    /// A count of bits; a constant one is printed in its own width.
+    fn text(&mut self, e: &Expression) -> String {
+        let width = e.width();
+        match &e.node {
+            Node::Literal(code) => literal(*code, e.format),
+            Node::Read(name) => {
+                let text = self.read(name);
+                self.used(&text, 0, width);
+                text
+            }
+            Node::Not(a) => {
+                let operator = if e.format == Format::Bit { "!" } else { "~" };
+                format!("({operator}{})", self.text(a))
+            }
+            Node::Negate(a) => format!("(-{})", self.text(a)),
+            Node::Reduce(how, a) => {
+                let operator = match how {
+                    Reduction::All => "&",
+                    Reduction::Any => "|",
+                    Reduction::Parity => "^",
+                };
+                format!("({operator}{})", self.text(a))
+            }
+            Node::Binary(op, a, b) => {
+                let bit = e.format == Format::Bit;
+                let symbol = match op {
+                    Operator::Add => "+",
+                    Operator::Subtract => "-",
+                    Operator::And if bit => "&&",
+                    Operator::And => "&",
+                    Operator::Or if bit => "||",
+                    Operator::Or => "|",
+                    Operator::Xor => "^",
+                };
+                format!("({} {symbol} {})", self.operand(a), self.operand(b))
+            }
+            Node::Compare(c, a, b) => {
+                let symbol = match c {
+                    Comparison::Equal => "==",
+                    Comparison::NotEqual => "!=",
+                    Comparison::Less => "<",
+                    Comparison::LessEqual => "<=",
+                    Comparison::Greater => ">",
+                    Comparison::GreaterEqual => ">=",
+                };
+                format!("({} {symbol} {})", self.operand(a), self.operand(b))
+            }
+            Node::Product(a, b) => {
+                format!("({} * {})", self.factor(a, width), self.factor(b, width))
+            }
+            Node::ShiftLeft(a, by) => format!("({} << {})", self.text(a), self.text(by)),
+            Node::ShiftRight(a, by) => format!("({} >> {})", self.text(a), self.text(by)),
+            Node::Slice(a, at) => self.slice(a, *at, width),
+            Node::Select(a, at) => {
+                let shifted = Expression::new(
+                    Format::Unsigned(a.width()),
+                    Node::ShiftRight(
+                        Box::new(Expression::new(
+                            Format::Unsigned(a.width()),
+                            Node::Reformat(a.clone()),
+                        )),
+                        at.clone(),
+                    ),
+                );
+                // Within the word a position selects; only beyond it do the zeros of a shift differ.
+                let inside = at.width() < 7 && 1 << at.width() <= a.width();
+                if width == 1 && inside && a.width() > 1 {
+                    let name = self.named(a);
+                    self.used(&name, 0, a.width());
+                    let at = self.text(at);
+                    return format!("{name}[{at}]");
+                }
+                self.slice(&shifted, 0, width)
+            }
+            Node::Resize(a) if width <= a.width() => self.slice(a, 0, width),
+            Node::Reformat(a) => self.text(a),
+            Node::Append(..) | Node::Resize(_) => {
+                let pieces = self.pieces(e);
+                format!("{{{}}}", pieces.join(", "))
+            }
+            Node::ReplaceBit(a, at, bit) => self.replaced(e, a, at, bit),
+        }
+    }
+
+    fn replaced(
+        &mut self,
+        e: &Expression,
+        a: &Expression,
+        at: &Expression,
+        bit: &Expression,
+    ) -> String {
+        let width = e.width();
+        if let Node::Literal(position) = at.node {
+            let position = usize::try_from(position).unwrap_or(usize::MAX);
+            if position >= width {
+                return self.text(a);
+            }
+            let mut pieces = vec![];
+            if position + 1 < width {
+                pieces.push(self.slice(a, position + 1, width - position - 1));
+            }
+            pieces.push(self.text(bit));
+            if position > 0 {
+                pieces.push(self.slice(a, 0, position));
+            }
+            return format!("{{{}}}", pieces.join(", "));
+        }
+        let format = Format::Unsigned(width);
+        let of = |node| Expression::new(format, node);
+        let one = of(Node::ShiftLeft(
+            Box::new(Expression::literal(1, format)),
+            Box::new(at.clone()),
+        ));
+        let word = of(Node::Reformat(Box::new(a.clone())));
+        let kept = of(Node::Binary(
+            Operator::And,
+            Box::new(word),
+            Box::new(of(Node::Not(Box::new(one)))),
+        ));
+        let set = of(Node::ShiftLeft(
+            Box::new(if width > 1 {
+                of(Node::Resize(Box::new(bit.clone())))
+            } else {
+                of(Node::Reformat(Box::new(bit.clone())))
+            }),
+            Box::new(at.clone()),
+        ));
+        self.text(&of(Node::Binary(
+            Operator::Or,
+            Box::new(kept),
+            Box::new(set),
+        )))
+    }
 }
 
 /// Whether parentheses never close below the start.
@@ -70,309 +430,4 @@ fn balanced(text: &str) -> bool {
         }
     }
     depth == 0
-}
-
-/// Without the outermost parentheses: for the right of an assignment or a condition that adds its own.
-pub fn bare(t: &Typed) -> String {
-    strip(&t.text).to_string()
-}
-
-/// Prints expressions of one module.
-pub struct Printer<'a> {
-    /// What names mean.
-    pub names: &'a dyn Names,
-    /// Verilog names that were read.
-    pub reads: RefCell<BTreeSet<String>>,
-}
-
-impl<'a> Printer<'a> {
-    /// A printer for one module.
-    pub fn new(names: &'a dyn Names) -> Self {
-        Self {
-            names,
-            reads: RefCell::default(),
-        }
-    }
-}
-
-impl Printer<'_> {
-    fn error(&self, what: impl Into<String>, e: &E) -> NetlistError {
-        let shown: String = format!("{e:?}").chars().take(160).collect();
-        NetlistError::new(self.names.module(), format!("{}: {shown}", what.into()))
-    }
-
-    /// An expression assigned to a signal of format `target`: here alone may formats change.
-    pub fn assigned(&self, e: &E, target: Format) -> Result<Typed, NetlistError> {
-        let converted = match peel(e) {
-            E::Cast(inner, width) => Some(self.resize(inner, *width, e)?),
-            E::Signed(inner) => Some(self.to_fixed(inner, target, e)?),
-            E::Unsigned(inner) => Some(self.integer_part(inner, target, e)?),
-            _ => None,
-        };
-        let typed = match converted {
-            Some(t) => t,
-            None => self.expect(e, target)?,
-        };
-        if typed.format != target {
-            return Err(self.error(format!("a {} is assigned to a {target}", typed.format), e));
-        }
-        Ok(typed)
-    }
-
-    /// An expression whose format must be `target`; literals take it.
-    fn expect(&self, e: &E, target: Format) -> Result<Typed, NetlistError> {
-        match peel(e) {
-            E::Literal(l) => {
-                let value =
-                    literal_value(l).ok_or_else(|| self.error("literal cannot be read", e))?;
-                let text = literal(value, target).ok_or_else(|| {
-                    self.error(format!("literal {value} does not fit {target}"), e)
-                })?;
-                Ok(Typed {
-                    text,
-                    format: target,
-                })
-            }
-            _ => self.expression(e),
-        }
-    }
-
-    /// Both sides in one format; a literal takes the format of the other side.
-    fn pair(&self, a: &E, b: &E, e: &E) -> Result<(Typed, Typed), NetlistError> {
-        let (a, b) = match (peel(a), peel(b)) {
-            (E::Literal(_), E::Literal(_)) => {
-                return Err(self.error("two literals have no format", e))
-            }
-            (E::Literal(_), _) => {
-                let b = self.expression(b)?;
-                (self.expect(a, b.format)?, b)
-            }
-            (_, E::Literal(_)) => {
-                let a = self.expression(a)?;
-                let b = self.expect(b, a.format)?;
-                (a, b)
-            }
-            _ => (self.expression(a)?, self.expression(b)?),
-        };
-        if a.format != b.format {
-            return Err(self.error(
-                format!(
-                    "operands have different formats, {} and {}",
-                    a.format, b.format
-                ),
-                e,
-            ));
-        }
-        Ok((a, b))
-    }
-
-    /// A condition: one bit, without outer parentheses.
-    pub fn condition(&self, e: &E) -> Result<String, NetlistError> {
-        let t = self.expression(e)?;
-        if t.format != Format::Bit {
-            return Err(self.error(format!("a condition is one bit, not a {}", t.format), e));
-        }
-        Ok(bare(&t))
-    }
-
-    fn expression(&self, e: &E) -> Result<Typed, NetlistError> {
-        let made = |text: String, format| Ok(Typed { text, format });
-        match e {
-            E::Paren(inner) => self.expression(inner),
-            E::Signal(name) => {
-                let (text, format) = self
-                    .names
-                    .read(name)
-                    .ok_or_else(|| self.error("name is not a signal of this module", e))?;
-                self.reads.borrow_mut().insert(text.clone());
-                made(text, format)
-            }
-            E::Literal(_) => Err(self.error("a literal alone has no format", e)),
-            E::Index(base, at) => {
-                let base = self.flat(base, e)?;
-                let at = self.constant_index(at, base.format.width(), 1, e)?;
-                let text = if base.format.width() == 1 {
-                    base.text
-                } else {
-                    format!("{}[{at}]", base.text)
-                };
-                made(text, Format::Bit)
-            }
-            E::Slice(base, width, at) => {
-                let base = self.flat(base, e)?;
-                let at = self.constant_index(at, base.format.width(), *width, e)?;
-                made(slice(&base, at, *width), Format::Unsigned(*width))
-            }
-            E::Unary(Unary::Not, inner) => {
-                let t = self.expression(inner)?;
-                let operator = if t.format == Format::Bit { "!" } else { "~" };
-                made(format!("({operator}{})", t.text), t.format)
-            }
-            E::Unary(Unary::Any, inner) => {
-                let t = self.flat(inner, e)?;
-                made(format!("(|{})", t.text), Format::Bit)
-            }
-            E::Binary(a, op, b) => self.binary(a, op, b, e),
-            _ => Err(self.error(
-                "this expression may only stand alone on the right of an assignment",
-                e,
-            )),
-        }
-    }
-
-    fn binary(&self, a: &E, op: &Op, b: &E, e: &E) -> Result<Typed, NetlistError> {
-        let (a, b) = self.pair(a, b, e)?;
-        let (symbol, compares) = match op {
-            Op::Add => ("+", false),
-            Op::Sub => ("-", false),
-            Op::BitAnd => ("&", false),
-            Op::BitOr => ("|", false),
-            Op::BitXor => ("^", false),
-            Op::LogicalAnd => ("&&", false),
-            Op::LogicalOr => ("||", false),
-            Op::Eq => ("==", true),
-            Op::Ne => ("!=", true),
-            Op::Lt => ("<", true),
-            Op::Le => ("<=", true),
-            Op::Gt => (">", true),
-            Op::Ge => (">=", true),
-            Op::Mul | Op::Shl | Op::Shr => {
-                return Err(self.error("products and shifts are not supported", e))
-            }
-        };
-        let logical = matches!(op, Op::LogicalAnd | Op::LogicalOr);
-        if logical
-            != (a.format == Format::Bit
-                && !compares
-                && !matches!(op, Op::BitAnd | Op::BitOr | Op::BitXor))
-        {
-            return Err(self.error(format!("{symbol} does not apply to a {}", a.format), e));
-        }
-        let format = if compares { Format::Bit } else { a.format };
-        Ok(Typed {
-            text: format!("({} {symbol} {})", a.text, b.text),
-            format,
-        })
-    }
-
-    /// A named signal: the only thing that may be sliced or converted.
-    fn flat(&self, base: &E, e: &E) -> Result<Typed, NetlistError> {
-        match peel(base) {
-            E::Signal(_) => self.expression(base),
-            _ => Err(self.error("only a named signal can be sliced or converted", e)),
-        }
-    }
-
-    fn constant_index(
-        &self,
-        at: &E,
-        width: usize,
-        count: usize,
-        e: &E,
-    ) -> Result<usize, NetlistError> {
-        let E::Literal(l) = peel(at) else {
-            return Err(self.error("bit positions must be constants", e));
-        };
-        let at = literal_value(l).unwrap_or(u64::MAX) as usize;
-        if at.saturating_add(count) > width {
-            return Err(self.error(
-                format!("bits {at}+:{count} lie outside a word of {width} bits"),
-                e,
-            ));
-        }
-        Ok(at)
-    }
-
-    /// Zero-extension or truncation of an unsigned word.
-    fn resize(&self, inner: &E, width: usize, e: &E) -> Result<Typed, NetlistError> {
-        let t = self.flat(inner, e)?;
-        let Format::Unsigned(from) = t.format else {
-            return Err(self.error(
-                format!("bit_cast takes an unsigned word, not a {}", t.format),
-                e,
-            ));
-        };
-        let text = if width <= from {
-            slice(&t, 0, width)
-        } else {
-            format!("{{{}'d0, {}}}", width - from, t.text)
-        };
-        Ok(Typed {
-            text,
-            format: Format::Unsigned(width),
-        })
-    }
-
-    /// Low bits of a bus word, or a fixed-point word with the binary point moved.
-    fn to_fixed(&self, inner: &E, target: Format, e: &E) -> Result<Typed, NetlistError> {
-        let t = self.flat(inner, e)?;
-        let Format::Fixed(tm, tn) = target else {
-            return Err(self.error(
-                format!("signed_cast gives a fixed-point word, not a {target}"),
-                e,
-            ));
-        };
-        match t.format {
-            Format::Unsigned(from) if target.width() <= from => Ok(Typed {
-                text: slice(&t, 0, target.width()),
-                format: target,
-            }),
-            Format::Fixed(m, n) if tm >= m => {
-                let drop = n.saturating_sub(tn);
-                let kept = slice(&t, drop, t.format.width() - drop);
-                let append = tn.saturating_sub(n);
-                let extend = tm - m;
-                let top = format!("{}[{}]", t.text, t.format.width() - 1);
-                let mut parts = vec![];
-                if extend > 0 {
-                    parts.push(format!("{{{extend}{{{top}}}}}"));
-                }
-                parts.push(kept);
-                if append > 0 {
-                    parts.push(format!("{append}'d0"));
-                }
-                let text = if parts.len() == 1 {
-                    parts.remove(0)
-                } else {
-                    format!("{{{}}}", parts.join(", "))
-                };
-                Ok(Typed {
-                    text,
-                    format: target,
-                })
-            }
-            other => Err(self.error(format!("a {other} does not convert to {target}"), e)),
-        }
-    }
-
-    /// The low integer bits of a fixed-point word, sign-extended when more are asked for than there are.
-    fn integer_part(&self, inner: &E, target: Format, e: &E) -> Result<Typed, NetlistError> {
-        let t = self.flat(inner, e)?;
-        let (Format::Fixed(m, n), Format::Unsigned(width)) = (t.format, target) else {
-            return Err(self.error(
-                format!("a {} has no integer part of format {target}", t.format),
-                e,
-            ));
-        };
-        let have = m + 1;
-        let text = if width <= have {
-            slice(&t, n, width)
-        } else {
-            let top = format!("{}[{}]", t.text, t.format.width() - 1);
-            format!("{{{{{}{{{top}}}}}, {}}}", width - have, slice(&t, n, have))
-        };
-        Ok(Typed {
-            text,
-            format: target,
-        })
-    }
-}
-
-/// `width` bits from `at`; the plain name when that is the whole word.
-fn slice(t: &Typed, at: usize, width: usize) -> String {
-    match (at, width, t.format.width()) {
-        (0, w, full) if w == full => t.text.clone(),
-        (at, 1, _) => format!("{}[{at}]", t.text),
-        (at, w, _) => format!("{}[{}:{at}]", t.text, at + w - 1),
-    }
 }

@@ -1,8 +1,11 @@
 //! A module as a Verilog file: header, ports, declarations with their comments, instances, behaviour.
 
-use super::body::{print_body, PrintedBody, Target, Targets};
-use super::expression::{literal, Names, Printer};
-use crate::netlist::{Body, Child, Format, Module, NetlistError, SignalKind};
+use super::body::{print_body, PrintedBody};
+use super::expression::{literal, Part, Printer};
+use super::memory::memory_body;
+use super::reserved::is_reserved;
+use crate::netlist::{Body, Child, Format, Module, Name, NetlistError, Node, Signal, SignalKind};
+use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
@@ -23,95 +26,8 @@ impl VerilogFile {
     }
 }
 
-/// Words that Verilog-2001 or SystemVerilog reserve and a description might use.
-const RESERVED: &[&str] = &[
-    "always",
-    "and",
-    "assign",
-    "begin",
-    "bit",
-    "buf",
-    "byte",
-    "case",
-    "cell",
-    "config",
-    "default",
-    "design",
-    "disable",
-    "do",
-    "edge",
-    "else",
-    "end",
-    "endmodule",
-    "enum",
-    "event",
-    "export",
-    "final",
-    "for",
-    "force",
-    "function",
-    "generate",
-    "if",
-    "import",
-    "initial",
-    "inout",
-    "input",
-    "int",
-    "integer",
-    "interface",
-    "join",
-    "library",
-    "local",
-    "logic",
-    "modport",
-    "module",
-    "nand",
-    "negedge",
-    "new",
-    "nor",
-    "not",
-    "null",
-    "or",
-    "output",
-    "package",
-    "parameter",
-    "posedge",
-    "program",
-    "property",
-    "rand",
-    "real",
-    "ref",
-    "reg",
-    "release",
-    "repeat",
-    "return",
-    "sequence",
-    "signed",
-    "static",
-    "string",
-    "struct",
-    "super",
-    "table",
-    "task",
-    "this",
-    "time",
-    "tri",
-    "type",
-    "union",
-    "unsigned",
-    "var",
-    "vectored",
-    "virtual",
-    "void",
-    "wait",
-    "while",
-    "wire",
-    "with",
-    "within",
-    "xor",
-];
-
 /// Module name with the format of its data, so that equal names are equal modules.
+#[must_use]
 pub fn module_name(m: &Module) -> String {
     let formats = m
         .signals
@@ -128,83 +44,26 @@ pub fn module_name(m: &Module) -> String {
     }
 }
 
-struct Scope<'a> {
-    module: &'a Module,
-}
-
-impl Scope<'_> {
-    fn child_port(&self, name: &str) -> Option<(&Child, &crate::netlist::Signal)> {
-        let (child, port) = name.split_once('$')?;
-        let child = self.module.children.iter().find(|c| c.name == child)?;
-        child
-            .module
-            .signals
-            .iter()
-            .find(|s| s.name == port)
-            .map(|s| (child, s))
-    }
-}
-
-impl Names for Scope<'_> {
-    fn read(&self, name: &str) -> Option<(String, Format)> {
-        if let Some(s) = self.module.signals.iter().find(|s| s.name == name) {
-            return Some((s.name.clone(), s.format));
-        }
-        if let Some(q) = name.strip_suffix("$q") {
-            if let Some(r) = self.module.registers.iter().find(|r| r.name == q) {
-                return Some((r.name.clone(), r.format));
-            }
-        }
-        let (child, port) = self.child_port(name)?;
-        (port.kind == SignalKind::Output)
-            .then(|| (format!("{}_{}", child.name, port.name), port.format))
-    }
-
-    fn module(&self) -> &str {
-        &self.module.name
-    }
-}
-
-impl Targets for Scope<'_> {
-    fn target(&self, name: &str) -> Option<(Target, Format)> {
-        if let Some(s) = self.module.signals.iter().find(|s| s.name == name) {
-            let drivable = matches!(s.kind, SignalKind::Output | SignalKind::Local);
-            return drivable.then(|| (Target::Wire(s.name.clone()), s.format));
-        }
-        for (suffix, clock) in [("$d", false), ("$clock", true)] {
-            if let Some(r) = name
-                .strip_suffix(suffix)
-                .and_then(|n| self.module.registers.iter().find(|r| r.name == n))
-            {
-                let n = r.name.clone();
-                return Some(if clock {
-                    (Target::RegisterClock(n), Format::Bit)
-                } else {
-                    (Target::Register(n), r.format)
-                });
-            }
-        }
-        let (child, port) = self.child_port(name)?;
-        let wire = Target::Wire(format!("{}_{}", child.name, port.name));
-        (port.kind == SignalKind::Input).then_some((wire, port.format))
-    }
-}
-
-fn header(m: &Module, name: &str, stamp: &str) -> String {
+/// The part of the header that the module's own text decides; the stamp comes after it.
+fn header(m: &Module, name: &str) -> String {
     let remark = |key: &str| {
         m.remarks
             .iter()
             .find(|(k, _)| k == key)
             .map(|(_, v)| v.as_str())
-            .unwrap_or_default()
     };
-    let mut out = format!("// {name}: {}\n//\n", remark("title"));
+    let mut out = match remark("title") {
+        Some(title) => format!("// {name}: {title}\n//\n"),
+        None => format!("// {name}\n//\n"),
+    };
     for (label, key) in [
         ("Equation", "equation"),
         ("Source", "source"),
         ("Latency", "latency"),
     ] {
-        let _ = writeln!(out, "// {label:<9} {}", remark(key));
+        if let Some(text) = remark(key) {
+            let _ = writeln!(out, "// {label:<9} {text}");
+        }
     }
     let mut formats: Vec<String> = vec![];
     for f in m
@@ -223,17 +82,21 @@ fn header(m: &Module, name: &str, stamp: &str) -> String {
     if !formats.is_empty() {
         let _ = writeln!(out, "// {:<9} {}", "Formats", formats.join("; "));
     }
-    let _ = writeln!(out, "//\n// {stamp}\n\n`default_nettype none\n");
     out
+}
+
+/// A declaration with its comment in one column.
+fn line(out: &mut String, declaration: &str, comment: &str) {
+    if comment.is_empty() {
+        let _ = writeln!(out, "{declaration}");
+    } else {
+        let _ = writeln!(out, "{declaration:<48} // {comment}");
+    }
 }
 
 /// Declares ports; `reg_outputs` are driven from blocks.
 fn ports(m: &Module, name: &str, reg_outputs: &BTreeSet<String>) -> String {
-    let list: Vec<_> = m
-        .signals
-        .iter()
-        .filter(|s| matches!(s.kind, SignalKind::Input | SignalKind::Output))
-        .collect();
+    let list: Vec<_> = m.signals.iter().filter(|s| s.is_port()).collect();
     let mut out = format!("module {name} (\n");
     for (i, s) in list.iter().enumerate() {
         let direction = match s.kind {
@@ -243,129 +106,187 @@ fn ports(m: &Module, name: &str, reg_outputs: &BTreeSet<String>) -> String {
         };
         let comma = if i + 1 < list.len() { "," } else { "" };
         let declaration = format!("  {direction} {}{}{comma}", s.format.range(), s.name);
-        let _ = writeln!(out, "{declaration:<48} // {}", s.doc);
+        line(&mut out, &declaration, &s.doc);
     }
     out.push_str(");\n");
     out
 }
 
+/// A note on a port of an instance.
+fn port_note(c: &Child, s: &Signal) -> String {
+    if s.doc.is_empty() {
+        String::new()
+    } else {
+        format!("{}: {}", c.name, s.doc)
+    }
+}
+
+/// Declarations and instances.
 struct Pieces {
     declarations: String,
     instances: String,
 }
 
-fn pieces(
-    m: &Module,
-    scope: &Scope,
-    body: &PrintedBody,
-    names: &BTreeMap<String, String>,
-) -> Result<Pieces, NetlistError> {
-    let by_block: BTreeSet<&String> = body.combinational.iter().flat_map(|(w, _)| w).collect();
-    let assigned: BTreeMap<&str, &str> = body
-        .assigns
-        .iter()
-        .map(|(n, v)| (n.as_str(), v.as_str()))
-        .collect();
-    let mut d = String::new();
-    for s in &m.signals {
-        if let SignalKind::Constant(code) = s.kind {
-            let value = literal(code, s.format).ok_or_else(|| {
-                NetlistError::new(&m.name, format!("constant {} does not fit", s.name))
-            })?;
-            let line = format!("  localparam {}{} = {value};", s.format.range(), s.name);
-            let _ = writeln!(d, "{line:<48} // {}", s.doc);
-        }
-    }
-    for r in &m.registers {
-        if !body.registers.contains(&r.name) || !body.clocked_registers.contains(&r.name) {
-            return Err(NetlistError::new(
-                &m.name,
-                format!("register {} is never assigned or has no clock", r.name),
-            ));
-        }
-        let initial = literal(0, r.format).unwrap_or_default();
-        let line = format!("  reg {}{} = {initial};", r.format.range(), r.name);
-        let _ = writeln!(d, "{line:<48} // {}", r.doc);
-    }
-    for s in m.signals.iter().filter(|s| s.kind == SignalKind::Local) {
-        let kind = if by_block.contains(&s.name) {
-            "reg"
-        } else {
-            "wire"
-        };
-        if kind == "wire" && !assigned.contains_key(s.name.as_str()) {
-            return Err(NetlistError::new(
-                &m.name,
-                format!("wire {} has no driver", s.name),
-            ));
-        }
-        let line = format!("  {kind} {}{};", s.format.range(), s.name);
-        let _ = writeln!(d, "{line:<48} // {}", s.doc);
-    }
-    let mut i = String::new();
-    for c in &m.children {
-        let mut connections = vec![];
-        for s in c
-            .module
-            .signals
-            .iter()
-            .filter(|s| matches!(s.kind, SignalKind::Input | SignalKind::Output))
-        {
-            let wire = format!("{}_{}", c.name, s.name);
-            let connected = if s.kind == SignalKind::Output {
-                // Lint tools take a name that says so as the author's word that nobody reads it.
-                let wire = if body.reads.contains(&wire) {
-                    wire
-                } else {
-                    format!("unused_{wire}")
-                };
-                let line = format!("  wire {}{wire};", s.format.range());
-                let _ = writeln!(d, "{line:<48} // {}: {}", c.name, s.doc);
-                wire
-            } else if let Some(value) = assigned.get(wire.as_str()) {
-                // A plain name needs no wire of its own.
-                if scope.module.signals.iter().any(|x| x.name == *value)
-                    || m.registers.iter().any(|x| x.name == *value)
-                    || m.children
-                        .iter()
-                        .any(|x| value.starts_with(&format!("{}_", x.name)) && !value.contains(' '))
-                {
-                    (*value).to_string()
-                } else {
-                    let line = format!("  wire {}{wire} = {value};", s.format.range());
-                    let _ = writeln!(d, "{line:<48} // {}: {}", c.name, s.doc);
-                    wire
-                }
-            } else if by_block.contains(&wire) {
-                let line = format!("  reg {}{wire};", s.format.range());
-                let _ = writeln!(d, "{line:<48} // {}: {}", c.name, s.doc);
-                wire
-            } else {
-                return Err(NetlistError::new(
-                    &m.name,
-                    format!("input {} of {} has no driver", s.name, c.name),
-                ));
-            };
-            connections.push(format!("    .{}({connected})", s.name));
-        }
-        let kind = &names[&c.name];
-        if !c.doc.is_empty() {
-            let _ = writeln!(i, "  // {}", c.doc);
-        }
-        let _ = writeln!(
-            i,
-            "  {kind} {} (\n{}\n  );\n",
-            c.name,
-            connections.join(",\n")
-        );
-    }
-    Ok(Pieces {
-        declarations: d,
-        instances: i,
-    })
+struct Wiring<'a> {
+    m: &'a Module,
+    body: &'a PrintedBody,
+    by_block: BTreeSet<&'a String>,
+    reads: &'a BTreeSet<String>,
 }
 
-fn check_names(m: &Module) -> Result<(), NetlistError> {
+impl Wiring<'_> {
+    /// Wires that carry instances' outputs. A lint tool takes a name that says so as the author's word that nobody
+    /// reads it.
+    fn output(&self, c: &Child, s: &Signal) -> String {
+        let wire = format!("{}_{}", c.name, s.name);
+        if self.reads.contains(&wire) {
+            wire
+        } else {
+            format!("unused_{wire}")
+        }
+    }
+
+    /// What an instance's input is connected to, and the wire that must be declared for it.
+    fn input(&self, c: &Child, s: &Signal) -> (String, Option<String>) {
+        let name = Name::Port {
+            child: c.name.clone(),
+            port: s.name.clone(),
+        };
+        let wire = name.verilog();
+        if self.by_block.contains(&wire) {
+            return (
+                wire.clone(),
+                Some(format!("  reg {}{wire};", s.format.range())),
+            );
+        }
+        match self.body.assigns.iter().find(|(n, _, _)| *n == name) {
+            // A plain name needs no wire of its own.
+            Some((_, value, text)) if matches!(value.node, Node::Read(_)) => (text.clone(), None),
+            Some((_, _, text)) => {
+                let declaration = format!("  wire {}{wire} = {text};", s.format.range());
+                (wire, Some(declaration))
+            }
+            None => (wire, None),
+        }
+    }
+
+    fn own(&self, d: &mut String) {
+        for s in &self.m.signals {
+            if let SignalKind::Constant(code) = s.kind {
+                let value = literal(code, s.format);
+                line(
+                    d,
+                    &format!("  localparam {}{} = {value};", s.format.range(), s.name),
+                    &s.doc,
+                );
+            }
+        }
+        for r in &self.m.registers {
+            let initial = literal(r.initial, r.format);
+            line(
+                d,
+                &format!("  reg {}{} = {initial};", r.format.range(), r.name),
+                &r.doc,
+            );
+        }
+        for s in self
+            .m
+            .signals
+            .iter()
+            .filter(|s| s.kind == SignalKind::Local)
+        {
+            let kind = if self.by_block.contains(&s.name) {
+                "reg"
+            } else {
+                "wire"
+            };
+            line(
+                d,
+                &format!("  {kind} {}{};", s.format.range(), s.name),
+                &s.doc,
+            );
+        }
+    }
+
+    fn pieces(&self, parts: &[Part], names: &BTreeMap<String, String>) -> Pieces {
+        let mut d = String::new();
+        self.own(&mut d);
+        for c in &self.m.children {
+            for s in c
+                .module
+                .signals
+                .iter()
+                .filter(|s| s.kind == SignalKind::Output)
+            {
+                let wire = self.output(c, s);
+                line(
+                    &mut d,
+                    &format!("  wire {}{wire};", s.format.range()),
+                    &port_note(c, s),
+                );
+            }
+        }
+        for p in parts {
+            let note = format!("Part of {}.", p.stem);
+            line(
+                &mut d,
+                &format!("  wire {}{} = {};", p.format.range(), p.name, p.value),
+                &note,
+            );
+            for (i, (low, high)) in p.unused().into_iter().enumerate() {
+                let range = Format::Unsigned(high - low + 1).range();
+                let number = if i == 0 {
+                    String::new()
+                } else {
+                    (i + 1).to_string()
+                };
+                let bits = if p.format.width() == 1 {
+                    p.name.clone()
+                } else {
+                    format!("{}[{high}:{low}]", p.name)
+                };
+                line(
+                    &mut d,
+                    &format!("  wire {range}unused_{}{number} = {bits};", p.name),
+                    "Bits that nothing needs.",
+                );
+            }
+        }
+        let mut i = String::new();
+        for c in &self.m.children {
+            let mut connections = vec![];
+            for s in c.module.signals.iter().filter(|s| s.is_port()) {
+                let connected = if s.kind == SignalKind::Output {
+                    self.output(c, s)
+                } else {
+                    let (wire, declaration) = self.input(c, s);
+                    if let Some(declaration) = declaration {
+                        line(&mut d, &declaration, &port_note(c, s));
+                    }
+                    wire
+                };
+                connections.push(format!("    .{}({connected})", s.name));
+            }
+            let kind = &names[&c.name];
+            if !c.doc.is_empty() {
+                let _ = writeln!(i, "  // {}", c.doc);
+            }
+            let _ = writeln!(
+                i,
+                "  {kind} {} (\n{}\n  );\n",
+                c.name,
+                connections.join(",\n")
+            );
+        }
+        Pieces {
+            declarations: d,
+            instances: i,
+        }
+    }
+}
+
+/// Every name that the module's text declares, checked to be a legal and unique one.
+fn declared(m: &Module) -> Result<BTreeSet<String>, NetlistError> {
     let mut seen = BTreeSet::new();
     let own = m
         .signals
@@ -373,21 +294,26 @@ fn check_names(m: &Module) -> Result<(), NetlistError> {
         .map(|s| s.name.clone())
         .chain(m.registers.iter().map(|r| r.name.clone()));
     let wires = m.children.iter().flat_map(|c| {
-        let ports = c
-            .module
-            .signals
-            .iter()
-            .filter(|s| matches!(s.kind, SignalKind::Input | SignalKind::Output));
+        let ports = c.module.signals.iter().filter(|s| s.is_port());
         ports
             .map(|s| format!("{}_{}", c.name, s.name))
             .chain([c.name.clone()])
             .collect::<Vec<_>>()
     });
     for name in own.chain(wires) {
-        if RESERVED.contains(&name.as_str()) {
+        let legal = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+            && !name.starts_with(|c: char| c.is_ascii_digit());
+        if is_reserved(&name) || !legal {
             return Err(NetlistError::new(
                 &m.name,
-                format!("{name} is a Verilog word"),
+                format!(
+                    "{name} is {}",
+                    if legal {
+                        "a Verilog word"
+                    } else {
+                        "not a Verilog name"
+                    }
+                ),
             ));
         }
         if !seen.insert(name.clone()) {
@@ -397,42 +323,38 @@ fn check_names(m: &Module) -> Result<(), NetlistError> {
             ));
         }
     }
-    Ok(())
+    Ok(seen)
 }
 
-fn print(
+fn statements(
     m: &Module,
-    stamp: &str,
-    files: &mut BTreeMap<String, String>,
+    name: &str,
+    names: &BTreeMap<String, String>,
 ) -> Result<String, NetlistError> {
-    check_names(m)?;
-    let mut names = BTreeMap::new();
-    for c in &m.children {
-        names.insert(c.name.clone(), print(&c.module, stamp, files)?);
-    }
-    let name = module_name(m);
-    let mut text = header(m, &name, stamp);
-    match &m.body {
-        Body::Custom {
-            text: body,
-            reg_outputs,
-        } => {
-            text += &ports(m, &name, &reg_outputs.iter().cloned().collect());
-            text.push('\n');
-            for line in body.trim().lines() {
-                let _ = writeln!(text, "{}{line}", if line.is_empty() { "" } else { "  " });
-            }
+    let taken = declared(m)?;
+    let (text, reg_outputs) = match &m.body {
+        Body::Memory(memory) => {
+            let comb_array = memory.read.clock.is_none() && memory.write.is_some();
+            let outputs = if comb_array {
+                BTreeSet::new()
+            } else {
+                BTreeSet::from([memory.read.data.clone()])
+            };
+            (format!("\n{}", memory_body(m, memory)), outputs)
         }
         Body::Statements(block) => {
-            let scope = Scope { module: m };
-            let body = print_body(&m.name, block, Printer::new(&scope), &scope, "clock")?;
-            let by_block: BTreeSet<String> = body
-                .combinational
-                .iter()
-                .flat_map(|(w, _)| w.iter().cloned())
-                .collect();
-            let p = pieces(m, &scope, &body, &names)?;
-            text += &ports(m, &name, &by_block);
+            let mut printer = Printer::new(m, taken);
+            let body = print_body(m, block, &mut printer);
+            let by_block: BTreeSet<&String> =
+                body.combinational.iter().flat_map(|(w, _)| w).collect();
+            let wiring = Wiring {
+                m,
+                body: &body,
+                by_block: by_block.clone(),
+                reads: &printer.reads,
+            };
+            let p = wiring.pieces(&printer.parts, names);
+            let mut text = String::new();
             for part in [p.declarations, p.instances.trim_end().to_string() + "\n"] {
                 if !part.trim().is_empty() {
                     text.push('\n');
@@ -442,35 +364,70 @@ fn print(
             let own: Vec<_> = body
                 .assigns
                 .iter()
-                .filter(|(w, _)| m.signals.iter().any(|s| s.name == *w))
+                .filter(|(n, _, _)| matches!(n, Name::Signal(_)))
                 .collect();
             if !own.is_empty() {
                 text.push('\n');
             }
-            for (wire, value) in own {
-                let _ = writeln!(text, "  assign {wire} = {value};");
+            for (wire, _, value) in own {
+                let _ = writeln!(text, "  assign {} = {value};", wire.verilog());
             }
             for (_, lines) in &body.combinational {
                 let _ = write!(text, "\n  always @* begin\n{}\n  end\n", indent(lines));
             }
-            for lines in &body.clocked {
+            for block in &body.clocked {
                 let _ = write!(
                     text,
-                    "\n  always @(posedge clock) begin\n{}\n  end\n",
-                    indent(lines)
+                    "\n  always @(posedge {}) begin\n{}\n  end\n",
+                    block.clock,
+                    indent(&block.lines)
                 );
             }
-            for s in m.signals.iter().filter(|s| s.kind == SignalKind::Output) {
-                if !by_block.contains(&s.name) && !body.assigns.iter().any(|(w, _)| *w == s.name) {
-                    return Err(NetlistError::new(
-                        &m.name,
-                        format!("output {} has no driver", s.name),
-                    ));
-                }
-            }
+            (text, by_block.into_iter().cloned().collect())
         }
+    };
+    Ok(ports(m, name, &reg_outputs) + &text)
+}
+
+fn indent(lines: &[String]) -> String {
+    lines
+        .iter()
+        .map(|l| format!("  {l}"))
+        .collect::<Vec<_>>()
+        .join("\n")
+}
+
+/// Twelve hexadecimal digits that name a text.
+#[must_use]
+pub fn hash(texts: &[&str]) -> String {
+    let mut hash = Sha256::new();
+    for text in texts {
+        hash.update(text.as_bytes());
     }
-    text += "\nendmodule\n\n`default_nettype wire\n";
+    hash.finalize()
+        .iter()
+        .take(6)
+        .map(|b| format!("{b:02x}"))
+        .collect()
+}
+
+fn print(
+    m: &Module,
+    generator: &str,
+    files: &mut BTreeMap<String, String>,
+) -> Result<String, NetlistError> {
+    let mut names = BTreeMap::new();
+    for c in &m.children {
+        names.insert(c.name.clone(), print(&c.module, generator, files)?);
+    }
+    let name = module_name(m);
+    let head = header(m, &name);
+    let body = statements(m, &name, &names)?;
+    // The hash is of this module alone, so that a file changes only when its own text does.
+    let stamp = hash(&[&head, &body]);
+    let text = format!(
+        "{head}//\n// Generated by {generator}, configuration {stamp}.\n\n`default_nettype none\n\n{body}\nendmodule\n\n`default_nettype wire\n"
+    );
     match files.get(&name) {
         Some(other) if *other != text => Err(NetlistError::new(
             &name,
@@ -483,21 +440,13 @@ fn print(
     }
 }
 
-fn indent(lines: &[String]) -> String {
-    lines
-        .iter()
-        .map(|l| format!("  {l}"))
-        .collect::<Vec<_>>()
-        .join("\n")
-}
-
-/// Prints a design, the top module last; `stamp` is the line that says what made the files.
+/// Prints a design, the top module last; `generator` says what made the files.
 ///
 /// # Errors
-/// What the netlist cannot mean in Verilog; see [`NetlistError`].
-pub fn emit(top: &Module, stamp: &str) -> Result<Vec<VerilogFile>, NetlistError> {
+/// Names that Verilog does not take, or that stand for two things.
+pub fn emit(top: &Module, generator: &str) -> Result<Vec<VerilogFile>, NetlistError> {
     let mut files = BTreeMap::new();
-    let top_name = print(top, stamp, &mut files)?;
+    let top_name = print(top, generator, &mut files)?;
     let mut out: Vec<VerilogFile> = files
         .into_iter()
         .map(|(name, text)| VerilogFile { name, text })

@@ -18,6 +18,7 @@ mod statement;
 
 use super::docs::{ascii, field_docs};
 use super::drivers;
+use super::fold::fold;
 use super::read::RawNode;
 use super::{Body, Child, Format, Module, NetlistError, Register, Signal, SignalKind};
 use expression::Lowering;
@@ -71,21 +72,22 @@ fn signals(
     let mut out = vec![];
     for atom in &node.atoms {
         let plain_name = plain(&atom.name);
-        let kind =
-            match atom.kind {
-                AtomKind::InputParameter => SignalKind::Input,
-                AtomKind::OutputParameter | AtomKind::OutputPassthrough => SignalKind::Output,
-                AtomKind::LocalSignal => SignalKind::Local,
-                AtomKind::Constant => {
-                    let code = constant_code(&atom.value);
-                    SignalKind::Constant(
-                        code.ok_or_else(|| error(format!("constant {plain_name} has no value")))?,
-                    )
-                }
-                _ => return Err(error(format!(
+        let kind = match atom.kind {
+            AtomKind::InputParameter => SignalKind::Input,
+            AtomKind::OutputParameter | AtomKind::OutputPassthrough => SignalKind::Output,
+            AtomKind::LocalSignal => SignalKind::Local,
+            AtomKind::Constant => {
+                let code = constant_code(&atom.value);
+                SignalKind::Constant(
+                    code.ok_or_else(|| error(format!("constant {plain_name} has no value")))?,
+                )
+            }
+            _ => {
+                return Err(error(format!(
                     "signal {plain_name}: wires that are driven from both ends are not supported"
-                ))),
-            };
+                )))
+            }
+        };
         let format = format_of(&atom.descriptor)
             .map_err(|why| error(format!("signal {plain_name}: {why}")))?;
         if let SignalKind::Constant(code) = kind {
@@ -185,7 +187,7 @@ fn module(path: &str, node: RawNode) -> Result<Module, NetlistError> {
             });
         }
     }
-    let made = Module {
+    let mut made = Module {
         name,
         remarks,
         signals,
@@ -194,6 +196,7 @@ fn module(path: &str, node: RawNode) -> Result<Module, NetlistError> {
         body: Body::Statements(lowered.statements),
     };
     drivers::check(&made, &lowered.held, &lowered.linked)?;
+    fold(&mut made);
     Ok(made)
 }
 

@@ -57,7 +57,12 @@ impl Scope {
         }
     }
 
-    /// The target of an assignment or connection: a whole signal, or a word of a memory.
+    /// A number, for the label of a choice.
+    pub fn label(&self, text: &str) -> Result<(), String> {
+        self.parse(text).map(|_| ())
+    }
+
+    /// The target of an assignment or connection: a signal, bits of one, or a word of a memory.
     pub fn left(&self, text: &str) -> Result<Declared, String> {
         let name = text.split('[').next().unwrap_or_default().trim();
         let d = *self
@@ -67,7 +72,13 @@ impl Scope {
         match (text.contains('['), d.array) {
             (true, true) => self.parse(text).map(|_| Declared { array: false, ..d }),
             (false, false) => Ok(d),
-            _ => Err("only whole signals and memory words are assigned".into()),
+            // Constant bits of a signal.
+            (true, false) => self.parse(text).map(|shape| Declared {
+                width: shape.width,
+                signed: false,
+                array: false,
+            }),
+            (false, true) => Err("a whole memory is assigned".into()),
         }
     }
 
@@ -119,7 +130,17 @@ impl Parser<'_> {
         };
         let op = *op;
         let (compares, logical) = match op {
-            "+" | "-" | "&" | "|" | "^" => (false, false),
+            "+" | "-" | "*" | "&" | "|" | "^" => (false, false),
+            // A count of bits stands by itself; the shifted word keeps its width.
+            "<<" | ">>" => {
+                self.at += 1;
+                let count = self.operand()?;
+                return if count.signed {
+                    Err(format!("`{op}` by a signed count"))
+                } else {
+                    Ok(a)
+                };
+            }
             "==" | "!=" | "<" | "<=" | ">" | ">=" => (true, false),
             "&&" | "||" => (false, true),
             ")" | "]" | "}" | "," | ":" => return Ok(a),
@@ -160,10 +181,10 @@ impl Parser<'_> {
                 Err(format!("`!` of {} bits", inner.width))
             };
         }
-        if self.symbol("~") {
+        if self.symbol("~") || self.symbol("-") {
             return self.operand();
         }
-        if self.symbol("|") {
+        if self.symbol("|") || self.symbol("&") || self.symbol("^") {
             self.operand()?;
             return Ok(Shape {
                 width: 1,
@@ -208,6 +229,9 @@ impl Parser<'_> {
                 signed: d.signed,
             });
         }
+        if matches!(self.peek(), Some(Token::Name(_))) {
+            return self.chosen_bit(d);
+        }
         let high = self.number()?;
         let low = if self.symbol(":") {
             self.number()?
@@ -224,6 +248,19 @@ impl Parser<'_> {
         // A part-select is unsigned, whatever it is taken from.
         Ok(Shape {
             width: high - low + 1,
+            signed: false,
+        })
+    }
+
+    /// After `name[`: a bit chosen by a word that cannot leave the name.
+    fn chosen_bit(&mut self, d: Declared) -> Result<Shape, String> {
+        let position = self.joined()?;
+        self.need("]")?;
+        if position.signed || position.width >= 16 || 1 << position.width > d.width {
+            return Err(format!("a position that can leave the {} bits", d.width));
+        }
+        Ok(Shape {
+            width: 1,
             signed: false,
         })
     }

@@ -125,7 +125,31 @@ fn conditional(line: &str) -> Option<(&str, &str)> {
     None
 }
 
+/// `label: statement` of a `case`: what follows the label.
+fn choice<'a>(scope: &Scope, line: &'a str) -> Option<Result<&'a str, String>> {
+    let (label, rest) = line.split_once(": ")?;
+    if label == "default" {
+        return Some(Ok(rest));
+    }
+    // A slice has no blank behind its colon.
+    Some(scope.label(label).map(|()| rest))
+}
+
 fn statement(scope: &Scope, line: &str) -> Result<(), String> {
+    if let Some(rest) = choice(scope, line) {
+        let rest = rest?;
+        return if rest == "begin" {
+            Ok(())
+        } else {
+            statement(scope, rest)
+        };
+    }
+    if let Some(subject) = line
+        .strip_prefix("case (")
+        .and_then(|l| l.strip_suffix(')'))
+    {
+        return scope.label(subject);
+    }
     if let Some((condition, rest)) = conditional(line) {
         scope.condition(condition)?;
         return if rest == "begin" || rest.is_empty() {
@@ -156,7 +180,7 @@ const STRUCTURE: &[&str] = &[
     "endmodule",
     ");",
     "always @* begin",
-    "always @(posedge clock) begin",
+    "endcase",
     "initial begin",
 ];
 
@@ -181,6 +205,13 @@ pub fn check(file: &str, text: &str) -> Result<(), Refusal> {
         }
         if line.is_empty() || line.starts_with('`') || STRUCTURE.contains(&line) {
             instance &= line != ");";
+            continue;
+        }
+        if let Some(clock) = line
+            .strip_prefix("always @(posedge ")
+            .and_then(|l| l.strip_suffix(") begin"))
+        {
+            scope.condition(clock).map_err(refuse)?;
             continue;
         }
         if line.starts_with("module ") {

@@ -23,6 +23,10 @@ fn safe_shapes_pass() {
         "  assign o = {4'd0, a[7:4]};",
         "  assign o = {{4{a[7]}}, a[7:4]};",
         "  assign flag = (a == b) && !(|a);",
+        "  assign o = (a << b) ^ (-b);",
+        "  wire [15:0] p = {8'd0, a} * {8'd0, b};",
+        "  wire [2:0] i = a[2:0];\n  assign flag = b[i] && (^a);",
+        "  case (a)\n    8'd1: begin\n      o[3:0] = b[7:4];\n    end\n    default: o = b;\n  endcase",
     ] {
         check("m.v", &module(body)).expect(body);
     }
@@ -65,17 +69,29 @@ fn unsigned_literals_and_slices_make_a_comparison_unsigned() {
 
 #[test]
 fn shifts_products_and_casts() {
+    refused("  assign o = a << sa;", "`<<` by a signed count");
     refused(
-        "  assign o = (a << 4'd4) | b;",
-        "operator `<<` is not in the safe subset",
+        "  assign o = a >>> 2'd2;",
+        "operator `>>>` is not in the safe subset",
     );
-    refused(
-        "  assign o = a * b;",
-        "operator `*` is not in the safe subset",
-    );
+    refused("  wire [15:0] p = a * b;", "8 bits are assigned to 16");
+    refused("  wire [8:0] w = a << 1'd1;", "8 bits are assigned to 9");
     refused(
         "  assign o = $signed(sa);",
         "`$` in an identifier or a system function",
+    );
+}
+
+#[test]
+fn choices() {
+    refused(
+        "  case (a + b == o)",
+        "operators are not fully parenthesised",
+    );
+    refused("  12: o = a;", "a literal without a width");
+    refused(
+        "  assign flag = a[b];",
+        "a position that can leave the 8 bits",
     );
 }
 
