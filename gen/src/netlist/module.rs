@@ -68,7 +68,7 @@ pub enum Body {
     /// Statements.
     Statements(Vec<Statement>),
     /// A memory, whose ports are those of the module.
-    Memory(Memory),
+    Memory(Box<Memory>),
 }
 
 /// A module: everything that its Verilog says and its simulation does.

@@ -505,7 +505,7 @@ impl<'a> Lowering<'a> {
     /// signals and constants are taken.
     fn position(&self, e: &E) -> Typed {
         if let E::Binary(..) | E::Unary(..) = peel(e) {
-            return self.constant_position(e).map(|p| count(p)).ok_or_else(|| {
+            return self.constant_position(e).map(count).ok_or_else(|| {
                 self.error(
                     "a computed bit position has Rust's machine width, which the tree does not keep; give it a wire",
                     e,

@@ -132,7 +132,7 @@ fn module(path: &str, node: RawNode) -> Result<Module, NetlistError> {
             signals,
             registers: vec![],
             children: vec![],
-            body: Body::Memory(memory),
+            body: Body::Memory(Box::new(memory)),
         });
     }
     let Verilog::Combinatorial(block) = &node.hdl else {
