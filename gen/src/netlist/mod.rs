@@ -9,10 +9,12 @@ mod drivers;
 mod expression;
 mod fold;
 mod format;
+mod groups;
 mod lower;
 mod memory;
 mod module;
 mod read;
+mod reset;
 mod statement;
 
 pub use docs::undocumented;
@@ -20,9 +22,11 @@ pub use drivers::always_assigned;
 pub use expression::{Comparison, Expression, Name, Node, Operator, Reduction};
 pub use fold::evaluate;
 pub use format::{Format, MAX_WIDTH};
+pub use groups::groups;
 pub use lower::collect;
 pub use memory::{Memory, ReadPort, WritePort};
 pub use module::{Body, Child, Module, Register, Signal, SignalKind};
+pub use reset::{with_reset, RESET};
 pub use statement::{Arm, Bits, Statement, Target};
 
 /// Why a description cannot become a netlist, Verilog or a simulation.

@@ -6,7 +6,7 @@
 //! description, unless a block would read what it drives: a read means the settled value, which a block would not see.
 
 use super::expression::{literal, Printer};
-use crate::netlist::{Arm, Expression, Format, Module, Name, Statement, Target};
+use crate::netlist::{groups, Arm, Expression, Format, Module, Name, Statement, Target};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A printed clocked block.
@@ -244,33 +244,6 @@ impl Body<'_, '_> {
         }
         found
     }
-}
-
-/// Groups of targets that share a statement, in order of first appearance.
-fn groups(owners: &BTreeMap<Target, Vec<usize>>) -> Vec<BTreeSet<Target>> {
-    let mut groups: Vec<(BTreeSet<Target>, BTreeSet<usize>)> = vec![];
-    let mut by_order: Vec<_> = owners.iter().collect();
-    by_order.sort_by_key(|(_, at)| at[0]);
-    for (target, at) in by_order {
-        let mut merged = (
-            BTreeSet::from([target.clone()]),
-            at.iter().copied().collect::<BTreeSet<_>>(),
-        );
-        let mut place = groups.len();
-        let mut i = 0;
-        while i < groups.len() {
-            if groups[i].1.is_disjoint(&merged.1) {
-                i += 1;
-                continue;
-            }
-            let (targets, at) = groups.remove(i);
-            merged.0.extend(targets);
-            merged.1.extend(at);
-            place = place.min(i);
-        }
-        groups.insert(place.min(groups.len()), merged);
-    }
-    groups.into_iter().map(|g| g.0).collect()
 }
 
 /// Prints the statements of a module.
