@@ -17,8 +17,8 @@ pub fn signed_cast_bits<const M: usize, const N: usize, const FROM: usize>(x: U<
     Q::from_code(x.get() as i64)
 }
 
-/// Aligns the binary point: drops fraction bits (rounding towards minus infinity) or appends zeros, and sign-extends.
-/// The target must have at least as many integer bits.
+/// Aligns the binary point: drops fraction bits (rounding towards minus infinity) or appends zeros, and sign-extends or
+/// drops integer bits (modulo 2^(1+TM+TN), as sums are).
 #[must_use]
 #[inline(always)]
 pub fn signed_cast_align<const TM: usize, const TN: usize, const M: usize, const N: usize>(

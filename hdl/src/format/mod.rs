@@ -9,10 +9,12 @@
 //! range on the way as long as the value that is *used* fits, since residues add exactly (see `shade::quadratic`).
 
 mod cast;
+mod product;
 mod q;
 mod u;
 
 pub use cast::{bit_cast_u, signed_cast_align, signed_cast_bits, unsigned_cast_integer};
+pub use product::{bit_cast_product, signed_cast_product, SignedProduct, UnsignedProduct};
 pub use q::{quantise, Q};
 pub use u::U;
 

@@ -2,7 +2,7 @@
 
 use super::{literal, mask, waveform};
 use rust_hdl_core::prelude::*;
-use std::ops::{Add, BitAnd, BitOr, BitXor, Not, Sub};
+use std::ops::{Add, BitAnd, BitOr, BitXor, Not, Shl, Shr, Sub};
 
 /// An unsigned word of `N` bits (1 to 63); arithmetic is modulo 2^N.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -95,3 +95,27 @@ impl<const N: usize> Not for U<N> {
         Self::new(!self.0)
     }
 }
+
+macro_rules! shift {
+    ($trait:ident, $method:ident, $with:ident) => {
+        impl<const N: usize> $trait<u64> for U<N> {
+            type Output = Self;
+            /// Amounts of `N` or more give zero.
+            #[inline(always)]
+            fn $method(self, by: u64) -> Self {
+                let by = u32::try_from(by).unwrap_or(u32::MAX);
+                Self::new(self.0.$with(by).unwrap_or(0))
+            }
+        }
+
+        impl<const N: usize, const M: usize> $trait<U<M>> for U<N> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, by: U<M>) -> Self {
+                $trait::$method(self, by.get())
+            }
+        }
+    };
+}
+shift!(Shl, shl, checked_shl);
+shift!(Shr, shr, checked_shr);

@@ -2,28 +2,29 @@
 
 use crate::netlist::{Expression, Format, Node};
 
-/// Drops fraction bits (rounding towards minus infinity) or appends zeros, and extends by the sign; `None` when the
-/// target has fewer integer bits.
+/// Drops fraction bits (rounding towards minus infinity) or appends zeros, and extends by the sign or drops integer
+/// bits; `None` when either is not fixed point.
 pub fn align(e: Expression, to: Format) -> Option<Expression> {
     let (Format::Fixed(m, n), Format::Fixed(tm, tn)) = (e.format, to) else {
         return None;
     };
-    if tm < m {
-        return None;
-    }
-    let kept = match n.checked_sub(tn) {
-        Some(drop) if drop > 0 => {
-            Expression::new(Format::Fixed(m, tn), Node::Slice(Box::new(e), drop))
-        }
-        _ => e,
+    let integer = m.min(tm);
+    let drop = n.saturating_sub(tn);
+    let fraction = n - drop;
+    let kept = if (integer, fraction) == (m, n) {
+        e
+    } else {
+        let format = Format::Fixed(integer, fraction);
+        Expression::new(format, Node::Slice(Box::new(e), drop))
     };
     let append = tn.saturating_sub(n);
     let filled = if append > 0 {
-        Expression::new(Format::Fixed(m, tn), Node::Append(Box::new(kept), append))
+        let format = Format::Fixed(integer, tn);
+        Expression::new(format, Node::Append(Box::new(kept), append))
     } else {
         kept
     };
-    Some(if tm > m {
+    Some(if tm > integer {
         Expression::new(to, Node::Resize(Box::new(filled)))
     } else {
         filled

@@ -313,7 +313,7 @@ impl<'a> Lowering<'a> {
             (Some(from @ Format::Fixed(..)), Some(to @ Format::Fixed(..))) => {
                 let made = self.of_format(inner, from)?;
                 super::align::align(made, to)
-                    .ok_or_else(|| self.error(format!("a {from} does not convert to {to}, which has fewer integer bits"), e))
+                    .ok_or_else(|| self.error(format!("a {from} does not convert to {to}"), e))
             }
             (Some(from), Some(to)) => Err(self.error(format!("a {from} does not convert to {to}"), e)),
             (Some(from), None) => Err(self.error(
