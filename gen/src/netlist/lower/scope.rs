@@ -199,6 +199,11 @@ impl<'a> Scope<'a> {
             child: plain(&child.name),
             port: plain(&port.name),
         };
+        if port.kind == AtomKind::InputParameter {
+            return Err(self.error(format!(
+                "{spelt} is an input of an instance; read what drives it"
+            )));
+        }
         Ok(Meaning::Value(name, format, port.descriptor.clone()))
     }
 
