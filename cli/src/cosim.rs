@@ -187,13 +187,18 @@ fn text(r: &CosimReport, wave: Option<&Path>, folder: &Path, verbose: bool) -> S
             e.max_lsb, e.rms_lsb, e.flip_mean
         )
     };
-    let _ = writeln!(
+    let _ =
+        writeln!(
         out,
-        "error      {}\narithmetic max {} LSB, RMS {:.4} LSB\nspeed      {:.0} clocks per second",
+        "error      {}\narithmetic max {} LSB, RMS {:.4} LSB\nspeed      {:.0} clocks per second{}",
         error(&r.error),
         r.arithmetic.get("max_lsb").unwrap_or(&0.0),
         r.arithmetic.get("rms_lsb").unwrap_or(&0.0),
-        r.cycles_per_second
+        r.cycles_per_second,
+        // In this process both are one.
+        r.loop_cycles_per_second
+            .filter(|_| r.time_ns.simulate_loop != Some(r.time_ns.simulate))
+            .map_or(String::new(), |l| format!(" with its files, {l:.0} without"))
     );
     if verbose {
         let t = &r.time_ns;

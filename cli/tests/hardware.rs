@@ -85,7 +85,11 @@ fn a_missing_tool_is_named() {
     let f = Folder::new();
     let none = f.0.path().join("empty");
     std::fs::create_dir(&none).unwrap();
-    for (engine, tool) in [("icarus", "iverilog"), ("verilator", "verilator")] {
+    for (engine, tool) in [
+        ("icarus", "iverilog"),
+        ("verilator", "verilator"),
+        ("cxxrtl", "yosys"),
+    ] {
         let message = format!(
             "engine {engine}: `{tool}` is not installed; install it with `apt-get install {tool}`"
         );

@@ -1,4 +1,4 @@
-//! Rung 4: the emitted Verilog equals the integer model on random vectors in Icarus and Verilator, for both cores in
+//! Rung 4: the emitted Verilog equals the integer model on random vectors in every engine, for both cores in
 //! both formats: mixed triangles under back pressure, and register noise that describes no triangle at all.
 
 use rand::rngs::StdRng;
@@ -144,6 +144,14 @@ fn a_broken_adder_is_found_and_named() {
         (u32::from(clock.outputs.x), u32::from(clock.outputs.y))
     );
     assert_ne!(first.expected, first.got);
+    // The others say the same of it.
+    for engine in [Engine::Verilator, Engine::Cxxrtl] {
+        let other = run_on(engine, &trace, &files);
+        assert_eq!(
+            (other.mismatches, other.first),
+            (r.mismatches, Some(first.clone()))
+        );
+    }
 }
 
 #[test]
@@ -151,7 +159,7 @@ fn waveforms_of_a_window() {
     use shadegate_testbench::engine::Wave;
     let trace = triangles(Order::Linear, FRAMES[0]);
     let files = package_of(&trace, FRAMES[0]);
-    for engine in [Engine::RustHdl, Engine::Icarus] {
+    for engine in [Engine::RustHdl, Engine::Icarus, Engine::Cxxrtl] {
         let scratch = tempfile::tempdir().expect("temporary directory");
         let wave = Wave {
             file: scratch.path().join("window.vcd"),
@@ -173,12 +181,14 @@ fn waveforms_of_a_window() {
         from: 10_000_000,
         to: 10_000_001,
     };
-    let e = run(Engine::RustHdl, &trace, &files, scratch.path(), Some(&wave))
-        .expect_err("nothing to show");
-    let want = format!(
-        "engine rust-hdl has no clock to show from 10000000 on: the run has {} clocks",
-        trace.clocks.len()
-    );
-    assert_eq!(e.to_string(), want);
-    assert!(!wave.file.exists());
+    for engine in [Engine::RustHdl, Engine::Cxxrtl] {
+        let e =
+            run(engine, &trace, &files, scratch.path(), Some(&wave)).expect_err("nothing to show");
+        let want = format!(
+            "engine {engine} has no clock to show from 10000000 on: the run has {} clocks",
+            trace.clocks.len()
+        );
+        assert_eq!(e.to_string(), want);
+        assert!(!wave.file.exists());
+    }
 }

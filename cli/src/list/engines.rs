@@ -54,6 +54,7 @@ fn version(e: Engine) -> Option<String> {
         Engine::RustHdl => return Some("part of this program".to_owned()),
         Engine::Icarus => ("iverilog", "-V"),
         Engine::Verilator => ("verilator", "--version"),
+        Engine::Cxxrtl => ("yosys", "-V"),
     };
     let said = Command::new(find_tool(tool)?)
         .arg(option)

@@ -97,10 +97,12 @@ pub struct TimeReport {
     pub setup: u64,
     /// Verilog and vectors.
     pub emit: u64,
-    /// Building the simulator (Icarus, Verilator); zero if it was kept from an earlier run.
+    /// Building the simulator; zero if there is none to build, or if it was kept from an earlier run.
     pub build: u64,
-    /// The simulation.
+    /// The simulation: of external engines the whole process, which reads vectors and writes pixels.
     pub simulate: u64,
+    /// The simulation loop alone, vectors and pixels in memory; null where the engine cannot tell.
+    pub simulate_loop: Option<u64>,
     /// Reference frames and comparison.
     pub compare: u64,
 }
@@ -126,8 +128,10 @@ pub struct CosimReport {
     pub pixels: u64,
     /// Pixels per clock.
     pub pixels_per_cycle: f64,
-    /// Clocks simulated per second, stimulus and pixel capture included.
+    /// Clocks simulated per second of `time_ns.simulate`.
     pub cycles_per_second: f64,
+    /// Clocks simulated per second of `time_ns.simulate_loop`.
+    pub loop_cycles_per_second: Option<f64>,
     /// Clocks with a difference in any output, plus pixels of the frame that differ.
     pub mismatches: u64,
     /// The first of them.
@@ -163,6 +167,15 @@ pub(super) struct Inputs<'a> {
     pub against_exact: &'a Comparison,
     pub fragments: FragmentError,
     pub compare_ns: u64,
+}
+
+/// Clocks per second; zero for a time of zero.
+fn rate(cycles: u64, ns: u64) -> f64 {
+    if ns == 0 {
+        0.0
+    } else {
+        cycles as f64 / (ns as f64 / 1e9)
+    }
 }
 
 /// Clocks shown on either side of a mismatch.
@@ -201,7 +214,6 @@ impl CosimReport {
         let (width, height) = (p.prepared.width, p.prepared.height);
         let pixels = i.run.pixels.len() as u64;
         let format = |int, frac| FormatReport { int, frac };
-        let seconds = i.run.simulate_ns as f64 / 1e9;
         Self {
             scene: i.scene_name.to_string(),
             method: i.options.method.to_string(),
@@ -216,11 +228,8 @@ impl CosimReport {
             } else {
                 pixels as f64 / p.trace.cycles as f64
             },
-            cycles_per_second: if seconds > 0.0 {
-                i.run.cycles as f64 / seconds
-            } else {
-                0.0
-            },
+            cycles_per_second: rate(i.run.cycles, i.run.simulate_ns),
+            loop_cycles_per_second: i.run.loop_ns.map(|ns| rate(i.run.cycles, ns)),
             mismatches: i.run.mismatches + i.against_expected.differing,
             first_mismatch: first_mismatch(&i),
             error: i.against_exact.into(),
@@ -240,6 +249,7 @@ impl CosimReport {
                 emit: p.emit_ns,
                 build: i.run.build_ns,
                 simulate: i.run.simulate_ns,
+                simulate_loop: i.run.loop_ns,
                 compare: i.compare_ns,
             },
             build_cached: i.run.build_cached,

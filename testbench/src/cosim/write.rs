@@ -41,7 +41,13 @@ fn rows(r: &CosimReport) -> Vec<(&'static str, String)> {
         ),
         (
             "Clocks simulated per second",
-            format!("{:.0}", r.cycles_per_second),
+            match r.loop_cycles_per_second {
+                Some(inside) => format!(
+                    "{:.0}, in the simulation loop alone {inside:.0}",
+                    r.cycles_per_second
+                ),
+                None => format!("{:.0}", r.cycles_per_second),
+            },
         ),
         ("Error against exact", error(&r.error)),
         ("Error against the method in f64", error(&r.method_f64)),

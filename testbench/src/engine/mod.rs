@@ -1,6 +1,7 @@
 //! Engines: ways to run a core's vectors. Each answers the same questions: do all outputs agree with the integer model
 //! in every clock, which pixels came out, and how fast was it.
 
+mod cxxrtl;
 mod icarus;
 mod process;
 mod rust_hdl;
@@ -24,11 +25,13 @@ pub enum Engine {
     Icarus,
     /// The emitted Verilog compiled by Verilator.
     Verilator,
+    /// The emitted Verilog compiled by CXXRTL, the simulation back end of Yosys.
+    Cxxrtl,
 }
 
 impl Engine {
     /// All engines.
-    pub const ALL: [Self; 3] = [Self::RustHdl, Self::Icarus, Self::Verilator];
+    pub const ALL: [Self; 4] = [Self::RustHdl, Self::Icarus, Self::Verilator, Self::Cxxrtl];
 
     /// Name on the command line.
     #[must_use]
@@ -37,6 +40,7 @@ impl Engine {
             Self::RustHdl => "rust-hdl",
             Self::Icarus => "icarus",
             Self::Verilator => "verilator",
+            Self::Cxxrtl => "cxxrtl",
         }
     }
 
@@ -47,6 +51,12 @@ impl Engine {
             Self::RustHdl => &[],
             Self::Icarus => &[("iverilog", "iverilog"), ("vvp", "iverilog")],
             Self::Verilator => &[("verilator", "verilator"), ("make", "make"), ("g++", "g++")],
+            // yosys-config says where the headers of the C++ model are.
+            Self::Cxxrtl => &[
+                ("yosys", "yosys"),
+                ("yosys-config", "yosys-dev"),
+                ("g++", "g++"),
+            ],
         }
     }
 }
@@ -102,8 +112,11 @@ pub struct Run {
     pub pixels: Vec<(u16, u16, [u8; 3])>,
     /// Clocks simulated.
     pub cycles: u64,
-    /// Time of the simulation proper.
+    /// Time of the simulation: of the whole process where it is one, reading the vectors and writing the pixels
+    /// included.
     pub simulate_ns: u64,
+    /// Time of the simulation loop alone, vectors and pixels in memory, where the engine can tell.
+    pub loop_ns: Option<u64>,
     /// Time to build the simulator; zero where nothing is built or the build was cached.
     pub build_ns: u64,
     /// The build came from the cache.
@@ -178,5 +191,6 @@ pub fn run(
         Engine::RustHdl => rust_hdl::run(trace, wave),
         Engine::Icarus => icarus::run(trace, package, scratch, wave),
         Engine::Verilator => verilator::run(trace, package, scratch, wave),
+        Engine::Cxxrtl => cxxrtl::run(trace, package, scratch, wave),
     }
 }

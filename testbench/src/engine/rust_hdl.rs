@@ -117,6 +117,7 @@ pub fn run(trace: &Trace, wave: Option<&Wave>) -> Result<Run, EngineError> {
         }
     }
     run.simulate_ns = begin.elapsed().as_nanos() as u64;
+    run.loop_ns = Some(run.simulate_ns);
     if let Some(w) = wave {
         match waveform {
             Some(v) => v.end(w).map_err(|e| wave_failed(w, e))?,
