@@ -1,6 +1,6 @@
 //! The command line: global options and one variant per command.
 
-use crate::{compare, completions, cosim, gen, list, man, render};
+use crate::{compare, completions, cosim, gen, list, man, render, synth};
 use clap::{Args, Parser, Subcommand};
 
 /// Turns shading interpolators into FPGA hardware and checks every pixel of it.
@@ -46,6 +46,8 @@ pub enum Command {
     Render(render::RenderArgs),
     /// Write a core as Verilog, with constraints, test bench and vectors
     Gen(gen::GenArgs),
+    /// Say what a core takes of a device family, and how fast a routed one runs
+    Synth(synth::SynthArgs),
     /// Say how far two images are apart (exit code 1 if they differ)
     Compare(compare::CompareArgs),
     /// List what there is: methods, cores, devices, boards, scenes, engines

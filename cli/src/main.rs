@@ -15,6 +15,7 @@ mod progress;
 mod render;
 mod run;
 mod size;
+mod synth;
 mod table;
 
 fn main() -> std::process::ExitCode {

@@ -7,6 +7,7 @@ use shadegate_gen::scene::{order_of, CORES};
 use shadegate_reference::method::UnknownName;
 use shadegate_reference::Method;
 use shadegate_testbench::engine::Engine;
+use shadegate_testbench::synthesis::Router;
 use std::ffi::OsStr;
 
 /// Takes any text and offers some; the command itself refuses the rest, naming the nearest.
@@ -55,6 +56,12 @@ pub fn devices() -> Vec<&'static str> {
 pub fn boards() -> Vec<&'static str> {
     let all = shadegate_constraints::boards();
     all.iter().map(|b| b.name.as_str()).collect()
+}
+
+/// Families that can be placed and routed.
+pub fn routers() -> Vec<&'static str> {
+    let all = Router::ALL.map(|r| r.family().name());
+    ["none"].into_iter().chain(all).collect()
 }
 
 /// The method of this name.

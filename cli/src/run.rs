@@ -23,6 +23,7 @@ fn dispatch(cli: &Cli) -> Outcome {
         Command::Cosim(a) => crate::cosim::run(a, global),
         Command::Render(a) => crate::render::run(a, global),
         Command::Gen(a) => crate::gen::run(a, global),
+        Command::Synth(a) => crate::synth::run(a, global),
         Command::Compare(a) => crate::compare::run(a, global),
         Command::List(a) => crate::list::run(a, global),
         Command::Completions(a) => crate::completions::run(a),

@@ -1,7 +1,9 @@
-//! Engines, co-simulation and comparison: is every pixel the expected one, how far is it from the truth, and how many
+//! Engines, co-simulation, comparison, synthesis: is every pixel the expected one, how far is it from the truth, and how many
 //! clocks did it take.
 
 mod cache;
 pub mod compare;
 pub mod cosim;
 pub mod engine;
+mod process;
+pub mod synthesis;

@@ -1,30 +1,10 @@
-//! Running other programs, and reading what the generated test benches print.
+//! Running the generated test benches, and reading what they print.
 
 use super::{Engine, EngineError, Run, SignalMismatch};
 use shadegate_gen::package::PackageFile;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
-
-/// The path of a program on PATH.
-#[must_use]
-pub fn find_tool(name: &str) -> Option<PathBuf> {
-    let paths = std::env::var_os("PATH")?;
-    std::env::split_paths(&paths)
-        .map(|p| p.join(name))
-        .find(|p| executable(p))
-}
-
-fn executable(path: &Path) -> bool {
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        path.metadata()
-            .is_ok_and(|m| m.is_file() && m.permissions().mode() & 0o111 != 0)
-    }
-    #[cfg(not(unix))]
-    path.is_file()
-}
 
 /// Writes the package's files below `directory`.
 pub fn unpack(
@@ -73,29 +53,14 @@ pub fn rtl_paths(package: &[PackageFile]) -> impl Iterator<Item = &str> {
     paths.filter(|p| p.starts_with("rtl/") && p.ends_with(".v"))
 }
 
-/// Runs a program to its end; its standard output, or what went wrong with the last lines it said. A failure may be
-/// accepted if the program at least says something: then it came as far as a verdict.
+/// Runs a program to its end, see [`crate::process::output`].
 pub fn output(
     engine: Engine,
     command: &mut Command,
     accept_failure: bool,
 ) -> Result<String, EngineError> {
-    let program = command.get_program().to_string_lossy().to_string();
-    let out = command.output().map_err(|e| EngineError::Failed {
-        engine,
-        what: format!("cannot run {program}: {e}"),
-    })?;
-    let text = String::from_utf8_lossy(&out.stdout).to_string();
-    if out.status.success() || accept_failure && !text.trim().is_empty() {
-        return Ok(text);
-    }
-    let said = String::from_utf8_lossy(&out.stderr).to_string() + &text;
-    let lines: Vec<&str> = said.lines().filter(|l| !l.trim().is_empty()).collect();
-    let tail = lines[lines.len().saturating_sub(5)..].join(" | ");
-    Err(EngineError::Failed {
-        engine,
-        what: format!("{program} failed ({}): {tail}", out.status),
-    })
+    let failed = |what| EngineError::Failed { engine, what };
+    crate::process::output(command, accept_failure).map_err(failed)
 }
 
 fn field<'a>(line: &'a str, key: &str) -> Option<&'a str> {

