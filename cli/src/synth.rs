@@ -77,6 +77,8 @@ pub fn run(a: &SynthArgs, global: Global) -> Outcome {
         name => Some(name.parse::<Router>().map_err(Failure::input)?),
     };
     let targets = targets(&a.target, router)?;
+    // Nobody waits for Yosys to be told that nextpnr is missing.
+    router.map(Router::tool).transpose().map_err(fault)?;
     let size = a.size.as_deref().map(size::parse).transpose()?;
     a.output.as_deref().map(output::folder).transpose()?;
     let progress = Progress::new("writing Verilog", global);

@@ -121,7 +121,11 @@ impl Router {
         }
     }
 
-    fn tool(self) -> Result<&'static str, SynthesisError> {
+    /// The program that does it.
+    ///
+    /// # Errors
+    /// [`SynthesisError::Missing`] if there is none.
+    pub fn tool(self) -> Result<&'static str, SynthesisError> {
         let (tools, install) = self.tools();
         let found = tools.into_iter().find(|t| find_tool(t).is_some());
         found.ok_or(SynthesisError::Missing {
