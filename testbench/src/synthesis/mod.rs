@@ -11,6 +11,7 @@
 
 mod cells;
 mod family;
+mod parts;
 mod read;
 mod report;
 mod route;
@@ -18,7 +19,7 @@ mod route;
 pub use cells::Resources;
 pub use family::Family;
 pub use report::{Capacity, Row};
-pub use route::{route, Routed, Router};
+pub use route::{route, Places, Routed, Router};
 
 use crate::cache::{entry, key, Wanted};
 use crate::process::{find_tool, output};

@@ -1,8 +1,7 @@
 //! One row of the report per target; field names are the JSON keys.
 
-use super::{Resources, Routed, Synthesis};
+use super::{Places, Resources, Routed, Synthesis};
 use serde::Serialize;
-use std::collections::BTreeMap;
 
 /// What a device has.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +45,7 @@ pub struct Row {
     /// What a router achieved on this very target, or null.
     pub fmax_mhz: Option<f64>,
     /// Places that the router used, and how many there are; null if nothing was routed.
-    pub placed: Option<BTreeMap<String, (u64, u64)>>,
+    pub placed: Option<Places>,
     /// Whether the device has enough of everything, or null.
     pub fits: Option<bool>,
     /// Programs and versions.
@@ -144,7 +143,7 @@ mod tests {
         let r = Routed {
             part: "LFE5U-25F".into(),
             fmax_mhz: 70.5,
-            used: BTreeMap::new(),
+            used: Places::new(),
             tool: "nextpnr-ecp5 0.11".into(),
             cached: false,
         };

