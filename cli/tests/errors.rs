@@ -93,7 +93,7 @@ fn names() {
     );
     f.refuses(
         "cosim ball.toml --engine ikarus",
-        "unknown engine 'ikarus'; the nearest is 'icarus' of rust-hdl, icarus, verilator",
+        "unknown engine 'ikarus'; the nearest is 'icarus' of rust-hdl, icarus, verilator, cxxrtl",
     );
     f.refuses(
         "gen gouraud --target xc7s5",

@@ -57,6 +57,7 @@ fn rows_by_family() {
             "placed",
             "slices",
             "slices_formula",
+            "slowest_path",
             "target",
             "tool"
         ]

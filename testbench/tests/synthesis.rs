@@ -124,5 +124,8 @@ fn a_core_is_placed_and_routed() {
         "{} MHz",
         r.fmax_mhz
     );
+    let path = r.path.expect("a path from register to register");
+    let period = 1_000.0 / r.fmax_mhz;
+    assert!(path.cells_ns > 0.0 && (path.cells_ns + path.wires_ns - period).abs() < 0.01 * period);
     assert!(folder.path().join("ice40/routed.json").is_file());
 }

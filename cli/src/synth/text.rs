@@ -60,6 +60,12 @@ pub fn text(title: &str, rows: &[Row], folder: Option<&Path>) -> String {
                 r.tool
             );
         }
+        if let Some(p) = &r.slowest_path {
+            out += &format!(
+                "  its slowest path takes {:.1} ns in cells and {:.1} ns in wires, from {} to {}\n",
+                p.cells_ns, p.wires_ns, p.from, p.to
+            );
+        }
     }
     if let Some(folder) = folder {
         out += &format!("wrote {}\n", folder.display());

@@ -18,8 +18,9 @@ mod route;
 
 pub use cells::Resources;
 pub use family::Family;
+pub use read::{Places, SlowestPath};
 pub use report::{Capacity, Row};
-pub use route::{route, Places, Routed, Router};
+pub use route::{route, Routed, Router};
 
 use crate::cache::{entry, key, Wanted};
 use crate::process::{find_tool, output};

@@ -1,6 +1,6 @@
 //! One row of the report per target; field names are the JSON keys.
 
-use super::{Places, Resources, Routed, Synthesis};
+use super::{Places, Resources, Routed, SlowestPath, Synthesis};
 use serde::Serialize;
 
 /// What a device has.
@@ -46,6 +46,8 @@ pub struct Row {
     pub fmax_mhz: Option<f64>,
     /// Places that the router used, and how many there are; null if nothing was routed.
     pub placed: Option<Places>,
+    /// The path that sets `fmax_mhz`, or null.
+    pub slowest_path: Option<SlowestPath>,
     /// Whether the device has enough of everything, or null.
     pub fits: Option<bool>,
     /// Programs and versions.
@@ -69,6 +71,7 @@ impl Row {
             arrival_ps: s.arrival_ps,
             fmax_mhz: None,
             placed: None,
+            slowest_path: None,
             fits: device.map(|d| d.1.holds(&s.resources)),
             tool: s.tool.clone(),
             cached: s.cached,
@@ -82,6 +85,7 @@ impl Row {
             target: Some(r.part.clone()),
             fmax_mhz: Some(r.fmax_mhz),
             placed: Some(r.used.clone()),
+            slowest_path: r.path.clone(),
             fits: Some(true),
             tool: format!("{}, {}", s.tool, r.tool),
             cached: s.cached && r.cached,
@@ -144,6 +148,7 @@ mod tests {
             part: "LFE5U-25F".into(),
             fmax_mhz: 70.5,
             used: Places::new(),
+            path: None,
             tool: "nextpnr-ecp5 0.11".into(),
             cached: false,
         };

