@@ -102,7 +102,7 @@ fn a_memory_becomes_block_ram() {
     let design = files(empty);
     uses(&design, "xc3s", "RAMB16", 1);
     uses(&design, "xc7", "RAMB18E1", 1);
-    let words = (0..1024u64).map(|i| Bits::<18>::from(i));
+    let words = (0..1024u64).map(Bits::<18>::from);
     uses(
         &files(RAM::<Bits<18>, 10>::from(words)),
         "xc7",
