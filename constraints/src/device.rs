@@ -11,6 +11,10 @@ pub enum Format {
     Ucf,
     /// Xilinx design constraints, of Vivado: Tcl commands.
     Xdc,
+    /// Physical constraints file of the iCE40 tools.
+    Pcf,
+    /// Logical preference file of the ECP5 tools.
+    Lpf,
 }
 
 impl Format {
@@ -19,6 +23,8 @@ impl Format {
         match self {
             Format::Ucf => "ucf",
             Format::Xdc => "xdc",
+            Format::Pcf => "pcf",
+            Format::Lpf => "lpf",
         }
     }
 }
@@ -28,6 +34,8 @@ impl fmt::Display for Format {
         f.write_str(match self {
             Format::Ucf => "UCF",
             Format::Xdc => "XDC",
+            Format::Pcf => "PCF",
+            Format::Lpf => "LPF",
         })
     }
 }
@@ -38,6 +46,8 @@ impl fmt::Display for Format {
 pub enum PackageShape {
     /// Pins along four edges, numbered: `P1`, `P2`, ...
     Quad,
+    /// Pins along four edges, by number alone: `1`, `2`, ...
+    Numbered,
     /// A grid of balls, by row letter and column number: `A1`, `B7`, ...
     Grid,
 }
@@ -73,6 +83,7 @@ impl Package {
         };
         match self.shape {
             PackageShape::Quad => letters == "P" && number <= self.pins,
+            PackageShape::Numbered => letters.is_empty() && number <= self.pins,
             PackageShape::Grid => {
                 let root = || (1..=self.pins).find(|s| s * s >= self.pins);
                 let side = self.side.or_else(root).unwrap_or(0);
@@ -100,15 +111,16 @@ fn row_index(letters: &str) -> Option<u32> {
 pub struct Device {
     /// Short name, lower case: `xc7s50`.
     pub name: String,
-    /// Family: `spartan-2e`, `spartan-3`, `spartan-3e`, `spartan-6` or `spartan-7`.
+    /// Family: `spartan-2e`, `spartan-3`, `spartan-3e`, `spartan-6`, `spartan-7`, `ice40-ultraplus` or `ecp5`.
     pub family: String,
-    /// The word for `synth_xilinx -family` of Yosys.
+    /// The word for `synth_xilinx -family` of Yosys; `ice40` and `ecp5` have commands of their own
+    /// (see [`Device::yosys_synthesis`]).
     pub yosys_family: String,
     /// Package taken when no board says otherwise.
     pub package: String,
-    /// Speed grade taken when no board says otherwise; the tools write it with a minus sign.
+    /// Speed grade taken when no board says otherwise; the tools write it with a minus sign. 0 where there is none.
     pub speed: u8,
-    /// Slices.
+    /// Slices; logic blocks of an iCE40.
     pub slices: u32,
     /// Inputs of one look-up table: 4 or 6.
     pub lut_inputs: u8,
@@ -126,7 +138,7 @@ pub struct Device {
     pub multiplier_bits: [u8; 2],
     /// Constraint language of the vendor tool.
     pub constraints: Format,
-    /// Last vendor tool that knows the device.
+    /// Last vendor tool that knows the device, or the free tool whose constraint language is written.
     pub vendor_tool: String,
     /// Where the numbers come from.
     pub source: String,
@@ -145,11 +157,23 @@ impl Device {
         self.part_in(&self.package, self.speed)
     }
 
-    /// The whole part name for a given package and speed: `xc6slx9-2-tqg144`, `xc7s50csga324-1`.
+    /// The whole part name for a given package and speed: `xc6slx9-2-tqg144`, `xc7s50csga324-1`, `ICE40UP5K-SG48I`,
+    /// `LFE5U-25F-6BG381C`.
     pub fn part_in(&self, package: &str, speed: u8) -> String {
         match self.constraints {
+            Format::Pcf => format!("{}-{package}I", self.name).to_ascii_uppercase(),
+            Format::Lpf => format!("{}-{speed}{package}C", self.name).to_ascii_uppercase(),
             Format::Ucf => format!("{}-{speed}-{package}", self.name),
             Format::Xdc => format!("{}{package}-{speed}", self.name),
+        }
+    }
+
+    /// The Yosys command, with options, that maps a design to this device's family.
+    pub fn yosys_synthesis(&self) -> String {
+        match self.constraints {
+            Format::Pcf => "synth_ice40 -device u".to_owned(),
+            Format::Lpf => "synth_ecp5".to_owned(),
+            Format::Ucf | Format::Xdc => format!("synth_xilinx -family {}", self.yosys_family),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Writes a constraint file: the comment at its head here, the rest in the format's own module.
 
 use crate::check::{check, Checked};
-use crate::{ucf, xdc, ConstraintError, Format, Request};
+use crate::{lpf, pcf, ucf, xdc, ConstraintError, Format, Request};
 
 /// A file to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,6 +22,8 @@ pub fn emit(request: &Request) -> Result<ConstraintFile, ConstraintError> {
     match format {
         Format::Ucf => ucf::write(&mut text, &checked),
         Format::Xdc => xdc::write(&mut text, &checked),
+        Format::Pcf => pcf::write(&mut text, &checked),
+        Format::Lpf => lpf::write(&mut text, &checked),
     }
     Ok(ConstraintFile {
         name: format!("{}.{}", request.design, format.extension()),
@@ -36,6 +38,13 @@ pub(crate) fn period(checked: &Checked) -> String {
         checked.period_ps / 1000,
         checked.period_ps % 1000
     )
+}
+
+/// The clock frequency in megahertz with three decimals, rounded up: the file never asks for less than the caller.
+pub(crate) fn megahertz(checked: &Checked) -> String {
+    // The millionth of a kilohertz undoes the binary rounding of periods such as 1000/12 ns.
+    let kilohertz = (1e6 / checked.request.period_ns - 1e-6).ceil();
+    format!("{:.3}", kilohertz / 1000.0)
 }
 
 /// Adds one line.
@@ -124,6 +133,8 @@ fn left_over(out: &mut String, checked: &Checked, format: Format) {
         match format {
             Format::Ucf => "# ISE places such ports itself, on pins of its own choice, until they get a LOC.",
             Format::Xdc => "# Vivado writes no bitstream until each of them has a PACKAGE_PIN and an IOSTANDARD.",
+            Format::Pcf => "# nextpnr stops at a port without a pin, unless told --pcf-allow-unconstrained.",
+            Format::Lpf => "# nextpnr stops at a port without a pin, unless told --lpf-allow-unconstrained.",
         },
     );
 }

@@ -1,4 +1,4 @@
-//! FPGA devices and boards as data, and the constraint files (UCF, XDC) that their tools need.
+//! FPGA devices and boards as data, and the constraint files (UCF, XDC, PCF, LPF) that their tools need.
 //!
 //! This crate knows nothing of shading, scenes or hardware descriptions: it takes a device (or a
 //! board), the ports of a top level and a clock period, and returns text.
@@ -29,6 +29,8 @@ mod check;
 mod device;
 mod emit;
 mod error;
+mod lpf;
+mod pcf;
 mod request;
 mod ucf;
 mod xdc;

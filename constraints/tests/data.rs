@@ -1,7 +1,8 @@
 //! The data files: complete, consistent with themselves, and nothing used twice.
 
 use shadegate_constraints::{
-    board, boards, device, devices, Board, Device, Format, PackageShape, ResourceKind,
+    board, boards, device, devices, Board, Device, Format, PackageShape, Pull, Resource,
+    ResourceKind,
 };
 use std::collections::BTreeSet;
 
@@ -34,10 +35,11 @@ fn names_are_unique() {
 #[test]
 fn capacities_follow_from_the_slices() {
     for d in devices() {
-        let (luts, flip_flops) = match d.lut_inputs {
-            4 => (2, 2),
-            6 => (4, 8),
-            n => panic!("{}: {n}-input LUTs", d.name),
+        let (luts, flip_flops) = match (d.lut_inputs, d.constraints) {
+            (4, Format::Pcf) => (8, 8),
+            (4, _) => (2, 2),
+            (6, _) => (4, 8),
+            (n, _) => panic!("{}: {n}-input LUTs", d.name),
         };
         assert_eq!(d.luts, luts * d.slices, "{} LUTs", d.name);
         assert_eq!(d.flip_flops, flip_flops * d.slices, "{} flip-flops", d.name);
@@ -57,6 +59,8 @@ fn block_ram_totals_are_the_data_sheets() {
         ("xc7s15", 360),
         ("xc7s25", 1620),
         ("xc7s50", 2700),
+        ("ice40up5k", 120),
+        ("lfe5u-25f", 1008),
     ];
     assert_eq!(devices().len(), expected.len());
     for (name, kbit) in expected {
@@ -73,11 +77,19 @@ fn families_tools_and_formats_go_together() {
             "spartan-3e" => ("xc3se", Format::Ucf),
             "spartan-6" => ("xc6s", Format::Ucf),
             "spartan-7" => ("xc7", Format::Xdc),
+            "ice40-ultraplus" => ("ice40", Format::Pcf),
+            "ecp5" => ("ecp5", Format::Lpf),
             other => panic!("{}: family {other}", d.name),
         };
         assert_eq!(d.yosys_family, yosys, "{}", d.name);
         assert_eq!(d.constraints, format, "{}", d.name);
-        assert_eq!(d.vendor_tool.starts_with("ISE"), format == Format::Ucf);
+        let tool = match format {
+            Format::Ucf => "ISE",
+            Format::Xdc => "Vivado",
+            Format::Pcf => "nextpnr-ice40",
+            Format::Lpf => "nextpnr-ecp5",
+        };
+        assert!(d.vendor_tool.starts_with(tool), "{}", d.name);
         assert!(d.package_named(&d.package).is_some(), "{}", d.name);
         assert!(!d.source.is_empty());
         for p in &d.packages {
@@ -93,6 +105,8 @@ fn parts_are_spelt_as_their_tools_want() {
     assert_eq!(device("xc2s100e").unwrap().part(), "xc2s100e-6-tq144");
     assert_eq!(device("xc6slx9").unwrap().part(), "xc6slx9-2-tqg144");
     assert_eq!(device("xc7s50").unwrap().part(), "xc7s50csga324-1");
+    assert_eq!(device("ice40up5k").unwrap().part(), "ICE40UP5K-SG48I");
+    assert_eq!(device("lfe5u-25f").unwrap().part(), "LFE5U-25F-6BG381C");
     assert_eq!(
         device("xc6slx9").unwrap().part_in("csg324", 3),
         "xc6slx9-3-csg324"
@@ -125,6 +139,14 @@ fn boards_fit_their_devices() {
         match device_of(b).constraints {
             Format::Ucf => assert!(b.config_voltage.is_none() && b.internal_vref.is_empty()),
             Format::Xdc => assert!(b.vccaux.is_none() && b.prohibit.is_empty()),
+            // Their files say nothing of these, and PCF has no pull-down.
+            Format::Pcf | Format::Lpf => {
+                assert!(b.config_voltage.is_none() && b.internal_vref.is_empty());
+                assert!(b.vccaux.is_none() && b.prohibit.is_empty());
+                let down = |r: &Resource| r.pull == Some(Pull::Down);
+                let pcf = device_of(b).constraints == Format::Pcf;
+                assert!(!pcf || !b.resources.iter().any(down), "{}", b.name);
+            }
         }
     }
 }
@@ -146,23 +168,34 @@ fn pins_are_checked_by_package() {
     for pin in ["I1", "O2", "Q3", "S4", "", "A", "a1", "A1 ", "é1"] {
         assert!(!grid.accepts_pin(pin), "{pin}");
     }
+    let numbered = device("ice40up5k").unwrap().package_named("sg48").unwrap();
+    for (pin, ok) in [
+        ("1", true),
+        ("48", true),
+        ("49", false),
+        ("0", false),
+        ("P1", false),
+        ("A1", false),
+    ] {
+        assert_eq!(numbered.accepts_pin(pin), ok, "{pin}");
+    }
     let big = device("xc7s50").unwrap().package_named("fgga484").unwrap();
     assert!(big.accepts_pin("AB22") && !big.accepts_pin("AC1") && big.accepts_pin("Y1"));
 }
 
 #[test]
 fn unknown_names_are_answered_with_the_nearest() {
-    let known = "xc2s100e, xc3s200, xc3s500e, xc6slx9, xc6slx16, xc7s15, xc7s25, xc7s50";
+    let known = "xc2s100e, xc3s200, xc3s500e, xc6slx9, xc6slx16, xc7s15, xc7s25, xc7s50, ice40up5k, lfe5u-25f";
     let text = |name: &str| device(name).unwrap_err().to_string();
     assert_eq!(
         text("xc7s26"),
         format!("unknown device 'xc7s26'; did you mean 'xc7s25'? known: {known}")
     );
     assert_eq!(
-        text("ice40\nup5k"),
-        format!("unknown device 'ice40\\nup5k'; known: {known}")
+        text("ep4\nce22"),
+        format!("unknown device 'ep4\\nce22'; known: {known}")
     );
-    let known = "papilio-pro, mojo-v3, mimas-v2, arty-s7-50, cmod-s7";
+    let known = "papilio-pro, mojo-v3, mimas-v2, arty-s7-50, cmod-s7, icebreaker, ulx3s-25f";
     assert_eq!(
         board("de10").unwrap_err().to_string(),
         format!("unknown board 'de10'; known: {known}")

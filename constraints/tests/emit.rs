@@ -78,6 +78,35 @@ fn xdc_with_every_port_placed() {
 }
 
 #[test]
+fn pcf_of_a_board() {
+    let case = Case::on_board("icebreaker", 1e9 / 12e6).bound([Binding::new("start", "btn0")]);
+    expect!(case, "icebreaker.pcf", "quadratic.pcf");
+}
+
+#[test]
+fn lpf_of_a_board() {
+    let case = Case::on_board("ulx3s-25f", 40.0).bound([
+        Binding::new("start", "btn1"),
+        Binding::new("reset", "btn0"),
+        Binding::bit("flags", 1, "led5"),
+    ]);
+    expect!(case, "ulx3s-25f.lpf", "quadratic.lpf");
+}
+
+#[test]
+fn frequencies_are_written_in_whole_kilohertz_rounded_up() {
+    for (device, period, text) in [
+        ("ice40up5k", 1e9 / 12e6, "set_frequency clock 12.000\n"),
+        ("ice40up5k", 30.0, "set_frequency clock 33.334\n"),
+        ("lfe5u-25f", 40.0, "FREQUENCY PORT \"clock\" 25.000 MHZ;\n"),
+        ("lfe5u-25f", 7.0, "FREQUENCY PORT \"clock\" 142.858 MHZ;\n"),
+    ] {
+        let file = Case::bare(device, period).run().unwrap();
+        assert!(file.text.contains(text), "{device} {period}: {}", file.text);
+    }
+}
+
+#[test]
 fn a_clock_that_no_board_clock_can_be_is_left_over_with_a_word() {
     expect!(
         Case::on_board("mojo-v3", 40.0),
