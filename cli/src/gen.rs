@@ -2,16 +2,17 @@
 
 use crate::args::Global;
 use crate::cosim::failure;
-use crate::names::{boards, core, cores, devices, hardware_method, Offer};
+use crate::names::{boards, core, cores, devices, hardware_method, wrappers, Offer};
 use crate::outcome::{Failure, Outcome, Report};
 use crate::progress::Progress;
 use crate::{output, size};
 use clap::Args;
 use serde_json::Value;
 use shadegate_constraints::{board, device};
-use shadegate_gen::package::{package, rtl, Package, Target};
+use shadegate_gen::package::{package_with, rtl, Options, Package, Target};
 use shadegate_gen::stimulus::{build, sample_triangles, StimulusOptions};
 use shadegate_gen::vectors::Trace;
+use shadegate_gen::wrapper::Wrapper;
 use shadegate_gen::write::write_file;
 use shadegate_reference::raster::Viewport;
 use shadegate_reference::{scene, Method};
@@ -49,6 +50,9 @@ pub struct GenArgs {
     /// Frame size [default: the scene's, or 320x240]
     #[arg(long, value_name = "WxH")]
     size: Option<String>,
+    /// Bus wrappers to add; may be repeated, or a list with commas
+    #[arg(long, value_parser = Offer(wrappers), value_delimiter = ',', value_name = "BUS")]
+    wrapper: Vec<String>,
     /// Clock period in nanoseconds, for the constraints [default: 10]
     #[arg(long, value_name = "NS", requires = "place")]
     period: Option<String>,
@@ -60,18 +64,25 @@ pub struct GenArgs {
 /// Runs the command.
 pub fn run(a: &GenArgs, global: Global) -> Outcome {
     let target = target(a)?;
+    let wrappers = (a.wrapper.iter())
+        .map(|name| name.parse::<Wrapper>().map_err(Failure::input))
+        .collect::<Result<Vec<_>, _>>()?;
+    let options = Options {
+        target,
+        wrappers: &wrappers,
+    };
     let size = a.size.as_deref().map(size::parse).transpose()?;
     a.output.as_deref().map(output::folder).transpose()?;
     let progress = Progress::new("generating", global);
     let (package, name) = match (&a.scene, &a.core) {
-        (Some(file), _) => of_scene(file, a.method.as_deref(), size, target)?,
+        (Some(file), _) => of_scene(file, a.method.as_deref(), size, &options)?,
         (None, Some(name)) if name.ends_with(".toml") => {
             return Err(Failure::input(format!(
                 "'{name}' is not a core; for a scene: shadegate gen --scene {name}"
             )));
         }
         (None, Some(name)) => (
-            sample(core(name)?, size.unwrap_or(FRAME), target)?,
+            sample(core(name)?, size.unwrap_or(FRAME), &options)?,
             format!("{name}-core"),
         ),
         // clap demands one of them.
@@ -132,22 +143,22 @@ fn of_scene(
     file: &Path,
     method: Option<&str>,
     size: Option<(u32, u32)>,
-    target: Option<Target>,
+    options: &Options,
 ) -> Result<(Package, String), Failure> {
     hardware_method(method, None, Method::Quadratic)?;
     let scene = scene::load(file).map_err(Failure::input)?;
     let method = hardware_method(method, None, scene.render.method)?;
     let p = prelude(&scene, method, size, &StimulusOptions::default()).map_err(failure)?;
     let name = format!("{}-{method}-core", scene.name);
-    if target.is_none() {
+    if options.target.is_none() && options.wrappers.is_empty() {
         return Ok((p.package, name));
     }
     let frame = (p.prepared.width, p.prepared.height);
-    Ok((pack(&p.trace, frame, target)?, name))
+    Ok((pack(&p.trace, frame, options)?, name))
 }
 
 /// A core by itself, with vectors that exercise all of it.
-fn sample(method: Method, frame: (u32, u32), target: Option<Target>) -> Result<Package, Failure> {
+fn sample(method: Method, frame: (u32, u32), options: &Options) -> Result<Package, Failure> {
     let (width, height) = frame;
     let core = core_for(method, width, height).map_err(failure)?;
     let viewport = Viewport { width, height };
@@ -155,12 +166,12 @@ fn sample(method: Method, frame: (u32, u32), target: Option<Target>) -> Result<P
     let triangles = sample_triangles(core.order, viewport, count, seed);
     let stimulus = build(&core, &triangles, viewport, &StimulusOptions::default())
         .map_err(|e| failure(CosimError::Stimulus(e)))?;
-    pack(&Trace::record(core, &stimulus, |_| true), frame, target)
+    pack(&Trace::record(core, &stimulus, |_| true), frame, options)
 }
 
-fn pack(trace: &Trace, frame: (u32, u32), target: Option<Target>) -> Result<Package, Failure> {
+fn pack(trace: &Trace, frame: (u32, u32), options: &Options) -> Result<Package, Failure> {
     rtl(&trace.core)
-        .and_then(|rtl| package(&rtl, trace, frame, target))
+        .and_then(|rtl| package_with(&rtl, trace, frame, options))
         .map_err(|e| failure(CosimError::Package(e)))
 }
 

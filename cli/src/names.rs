@@ -4,6 +4,7 @@ use crate::outcome::Failure;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
 use shadegate_gen::scene::{order_of, CORES};
+use shadegate_gen::wrapper::Wrapper;
 use shadegate_reference::method::UnknownName;
 use shadegate_reference::Method;
 use shadegate_testbench::engine::Engine;
@@ -44,6 +45,11 @@ pub fn cores() -> Vec<&'static str> {
 /// Engines of the co-simulation.
 pub fn engines() -> Vec<&'static str> {
     Engine::ALL.map(Engine::name).to_vec()
+}
+
+/// Bus wrappers of a core.
+pub fn wrappers() -> Vec<&'static str> {
+    Wrapper::ALL.map(Wrapper::name).to_vec()
 }
 
 /// Devices of the catalogue.

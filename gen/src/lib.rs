@@ -8,4 +8,5 @@ pub mod simulators;
 pub mod stimulus;
 pub mod vectors;
 pub mod verilog;
+pub mod wrapper;
 pub mod write;

@@ -1,32 +1,72 @@
 //! The package's Makefile: everything a person can run without Shadegate.
 
-use shadegate_constraints::Device;
-use shadegate_hdl::shade::device::Core;
+use crate::wrapper::Wrapper;
+use shadegate_constraints::{Device, Format};
 
 /// Text of the Makefile; `make` alone runs the Icarus test bench.
-pub fn makefile(core: &Core, device: Option<&Device>) -> String {
-    let name = core.name();
-    let family = device.map_or("xc7", |d| d.yosys_family.as_str());
+pub fn makefile(top: &str, wrappers: &[Wrapper], device: Option<&Device>) -> String {
+    let vendor = match device.map(|d| d.constraints) {
+        Some(Format::Xdc) => {
+            "vivado:\n\
+             \tmkdir -p $(OUT)\n\
+             \tcd $(OUT) && vivado -mode batch -source ../build/vivado.tcl\n\n"
+        }
+        Some(Format::Ucf) => {
+            "ise:\n\
+             \txtclsh build/ise.tcl\n\n"
+        }
+        Some(Format::Pcf | Format::Lpf) | None => "",
+    };
+    let benches: String = wrappers.iter().map(|w| bench(*w)).collect();
+    let lint: String = wrappers
+        .iter()
+        .map(|w| {
+            format!("\tverilator --lint-only -Wall --top-module $(TOP)_{w} $(RTL) wrappers/$(TOP)_host.v wrappers/$(TOP)_frames.v wrappers/$(TOP)_{w}.v\n")
+        })
+        .collect();
+    let mut names = vec!["icarus", "verilator"];
+    names.extend(wrappers.iter().map(|w| w.name()));
+    names.extend(["lint", "yosys"]);
+    names.extend(vendor.split_once(':').map(|(name, _)| name));
+    names.push("clean");
+    let names = names.join(" ");
     format!(
-        "# {name}_core: simulate, lint and synthesise with free tools.\n\
+        "# {top}: simulate, lint and synthesise. Everything made is below out/.\n\
          RTL := $(wildcard rtl/*.v)\n\
-         TOP := {name}_core\n\
-         FAMILY ?= {family}\n\n\
-         .PHONY: icarus verilator lint yosys clean\n\n\
-         icarus: build/icarus\n\
-         \tvvp build/icarus +vectors=sim/vectors.txt\n\n\
-         build/icarus: $(RTL) sim/tb_$(TOP).v\n\
-         \tmkdir -p build\n\
+         TOP := {top}\n\
+         OUT := out\n\n\
+         .PHONY: {names}\n\n\
+         icarus: $(OUT)/icarus\n\
+         \tvvp $(OUT)/icarus +vectors=sim/vectors.txt\n\n\
+         $(OUT)/icarus: $(RTL) sim/tb_$(TOP).v\n\
+         \tmkdir -p $(OUT)\n\
          \tiverilog -g2001 -o $@ $^\n\n\
-         verilator: build/verilator/V$(TOP)\n\
-         \tbuild/verilator/V$(TOP) sim/vectors.txt\n\n\
-         build/verilator/V$(TOP): sim/main.cpp $(RTL)\n\
-         \tverilator -O3 --cc --exe --build --top-module $(TOP) -Mdir build/verilator -CFLAGS -O2 $(abspath sim/main.cpp) $(RTL)\n\n\
+         verilator: $(OUT)/verilator/V$(TOP)\n\
+         \t$(OUT)/verilator/V$(TOP) sim/vectors.txt\n\n\
+         $(OUT)/verilator/V$(TOP): sim/main.cpp $(RTL)\n\
+         \tmkdir -p $(OUT)\n\
+         \tverilator -O3 --cc --exe --build --top-module $(TOP) -Mdir $(OUT)/verilator -CFLAGS -O2 $(abspath sim/main.cpp) $(RTL)\n\n\
+         {benches}\
          lint:\n\
-         \tverilator --lint-only -Wall --top-module $(TOP) $(RTL)\n\n\
+         \tverilator --lint-only -Wall --top-module $(TOP) $(RTL)\n\
+         \tverilator --lint-only -Wall --top-module $(TOP)_example $(RTL) example/$(TOP)_example.v\n\
+         {lint}\n\
          yosys:\n\
-         \tyosys -q -p \"read_verilog $(RTL); synth_xilinx -family $(FAMILY) -top $(TOP); tee -o /dev/stdout stat\"\n\n\
+         \tmkdir -p $(OUT)\n\
+         \tyosys -q -s build/yosys.ys\n\n\
+         {vendor}\
          clean:\n\
-         \trm -rf build\n"
+         \trm -rf $(OUT)\n"
+    )
+}
+
+/// The rules of a wrapper's test bench.
+fn bench(wrapper: Wrapper) -> String {
+    format!(
+        "{wrapper}: $(OUT)/{wrapper}\n\
+         \tvvp $(OUT)/{wrapper} +vectors=sim/vectors.txt\n\n\
+         $(OUT)/{wrapper}: $(RTL) wrappers/$(TOP)_host.v wrappers/$(TOP)_frames.v wrappers/$(TOP)_{wrapper}.v sim/tb_$(TOP)_{wrapper}.v\n\
+         \tmkdir -p $(OUT)\n\
+         \tiverilog -g2001 -o $@ $^\n\n"
     )
 }

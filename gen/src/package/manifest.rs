@@ -1,9 +1,13 @@
 //! `manifest.json`: what a package is, for people and tools.
 
-use super::{Rtl, Target};
+use super::registers::{registers, Register};
+use super::resources::{resources, Resources};
+use super::{PackageFile, Rtl, Target};
 use crate::netlist::SignalKind;
 use crate::vectors::Trace;
+use crate::wrapper::{map, Wrapper};
 use serde::Serialize;
+use sha2::{Digest, Sha256};
 use shadegate_hdl::shade::device::longest_run;
 use std::collections::BTreeMap;
 
@@ -42,19 +46,36 @@ pub struct BlockRam {
     pub fits: Option<bool>,
 }
 
+/// The wrappers and the address map they share.
+#[derive(Clone, Debug, Serialize)]
+pub struct Wrappers {
+    /// Names.
+    pub names: Vec<Wrapper>,
+    /// Byte addresses.
+    pub map: Vec<map::Entry>,
+}
+
 /// The manifest.
 #[derive(Clone, Debug, Serialize)]
 pub struct Manifest {
     /// Core.
     pub core: String,
+    /// Top module.
+    pub top: String,
     /// Device part, or null.
     pub target: Option<String>,
     /// Board, or null.
     pub board: Option<String>,
-    /// Files, by path inside the package.
+    /// Files, by path inside the package, without the manifest.
     pub files: Vec<String>,
+    /// SHA-256 of each of them, in hexadecimal digits.
+    pub sha256: BTreeMap<String, String>,
     /// Ports of the top module.
     pub ports: Vec<PortEntry>,
+    /// Register words.
+    pub registers: Vec<Register>,
+    /// Bus wrappers, or null.
+    pub wrappers: Option<Wrappers>,
     /// Formats by signal class: colour, depth, column, error term.
     pub formats: BTreeMap<&'static str, FormatEntry>,
     /// Clocks from the edge that takes `start` to the edge at which the first pixel can be taken.
@@ -65,6 +86,8 @@ pub struct Manifest {
     pub frame: (u32, u32),
     /// Depth memory.
     pub block_ram: BlockRam,
+    /// What was measured of the core's size.
+    pub resources: Resources,
     /// Clocks and pixels of the vectors.
     pub vectors: BTreeMap<&'static str, u64>,
     /// Hash that names this configuration.
@@ -84,6 +107,12 @@ impl Manifest {
 /// Clocks from the edge that takes `start` to the edge at which the first pixel can be taken, both cores.
 pub const LATENCY: u32 = 5;
 
+/// SHA-256 of a text, in hexadecimal digits.
+fn digest(text: &str) -> String {
+    let hash = Sha256::digest(text.as_bytes());
+    hash.iter().map(|b| format!("{b:02x}")).collect()
+}
+
 fn entry(int: usize, frac: usize) -> FormatEntry {
     FormatEntry {
         int,
@@ -98,9 +127,15 @@ pub fn manifest(
     trace: &Trace,
     size: (u32, u32),
     target: Option<Target>,
-    files: Vec<String>,
+    wrappers: &[Wrapper],
+    files: &[PackageFile],
 ) -> Manifest {
     let core = &trace.core;
+    let wrappers = (!wrappers.is_empty()).then(|| Wrappers {
+        names: wrappers.to_vec(),
+        map: map::entries(core.bus_bits()),
+    });
+    let sum = |f: &PackageFile| (f.path.clone(), digest(&f.text));
     let ports = rtl.top.signals.iter().filter_map(|s| {
         let direction = match s.kind {
             SignalKind::Input => "input",
@@ -137,16 +172,16 @@ pub fn manifest(
     ]);
     let needed_kbit = core.pixels as f64 * 16.0 / 1024.0;
     let available_kbit = target.map(|t| t.device.block_ram_total_kbit());
-    let part = |t: Target| match t.board {
-        Some(b) => t.device.part_in(&b.package, b.speed),
-        None => t.device.part(),
-    };
     Manifest {
         core: core.name().to_string(),
-        target: target.map(part),
+        top: format!("{}_core", core.name()),
+        target: target.map(|t| t.part()),
         board: target.and_then(|t| t.board).map(|b| b.name.clone()),
-        files,
+        files: files.iter().map(|f| f.path.clone()).collect(),
+        sha256: files.iter().map(sum).collect(),
         ports: ports.collect(),
+        registers: registers(core),
+        wrappers,
         formats,
         latency: LATENCY,
         error_bound_lsb: core.error_bound(longest_run(size.0, size.1).unwrap_or(u32::MAX)),
@@ -156,6 +191,7 @@ pub fn manifest(
             available_kbit,
             fits: available_kbit.map(|a| needed_kbit <= f64::from(a)),
         },
+        resources: resources(core, size, target.map(|t| t.device)),
         vectors: BTreeMap::from([
             ("clocks", trace.clocks.len() as u64),
             ("pixels", trace.pixels.len() as u64),

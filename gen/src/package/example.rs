@@ -1,0 +1,137 @@
+//! An integration example: a module that draws one triangle with the core, from words in a table.
+
+use crate::stimulus::{build, StimulusError, StimulusOptions, Triangle};
+use shadegate_hdl::shade::device::Core;
+use shadegate_hdl::shade::model::Order;
+use shadegate_reference::raster::{Point, Viewport, SUBPIXELS};
+use std::fmt::Write;
+
+/// A triangle over the upper left half of the frame, a colour at every knot.
+fn triangle(order: Order, size: (u32, u32)) -> Triangle {
+    let point = |x: u32, y: u32| Point {
+        x: (x * SUBPIXELS as u32) as i32,
+        y: (y * SUBPIXELS as u32) as i32,
+    };
+    let mut knots = vec![
+        [255.0, 32.0, 16.0],
+        [16.0, 224.0, 48.0],
+        [48.0, 64.0, 255.0],
+    ];
+    if order == Order::Quadratic {
+        knots.extend([
+            [200.0, 180.0, 40.0],
+            [220.0, 90.0, 200.0],
+            [40.0, 200.0, 220.0],
+        ]);
+    }
+    Triangle {
+        position: [point(0, 0), point(size.0, 0), point(0, size.1)],
+        depth: [50_000.0, 30_000.0, 20_000.0],
+        knots,
+        label: "example".to_owned(),
+    }
+}
+
+/// Text of `example/<top>_example.v`.
+///
+/// # Errors
+/// When the triangle cannot be set up, which no valid frame causes.
+pub fn example(core: &Core, size: (u32, u32), stamp: &str) -> Result<String, StimulusError> {
+    let (width, height) = size;
+    let viewport = Viewport { width, height };
+    let one = [triangle(core.order, size)];
+    let stimulus = build(core, &one, viewport, &StimulusOptions::default())?;
+    let words: Vec<(u8, u64)> = stimulus
+        .frame
+        .iter()
+        .chain(stimulus.primitives.iter().flat_map(|p| &p.writes))
+        .copied()
+        .collect();
+    let (top, b) = (format!("{}_core", core.name()), core.bus_bits());
+    let digits = b.div_ceil(4);
+    let count = words.len();
+    let mut table = String::new();
+    for (i, (select, data)) in words.iter().enumerate() {
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            table,
+            "      6'd{i}: word = {{8'h{select:02x}, {b}'h{data:0digits$x}}};"
+        );
+    }
+    Ok(format!(
+        "// {top}_example: draws one triangle with {top} whenever `go` is high and the core is idle.
+//
+// The words are a table here; a design computes them, as the core's guide says, or has a processor write them.
+// The outputs are the write port of a frame buffer of {width} x {height} pixels that is never busy.
+//
+// {stamp}
+
+`default_nettype none
+
+module {top}_example (
+  input  wire clock,                             // Clock.
+  input  wire go,                                // Clears the depth memory and draws the triangle.
+  output wire idle,                              // A `go` would be taken.
+  output wire done,                              // Pulses for one clock when the triangle has been drawn.
+  output wire frame_write,                       // A pixel is written.
+  output wire [20:0] frame_address,              // Its place in the frame buffer.
+  output wire [23:0] frame_colour,               // Its colour: red, green, blue.
+  output wire [15:0] frame_depth                 // Its depth.
+);
+
+  localparam [5:0] COUNT = 6'd{count};
+
+  reg [5:0] index = COUNT;                       // Word to write; COUNT when all are written.
+  reg [{top_bit}:0] word;                               // Its select code and its value.
+  wire writing = index != COUNT;                 // A word is offered.
+  wire begins = go && idle;                      // The triangle is begun.
+  wire load_ready;                               // The core takes a word.
+  wire busy;                                     // The core is at work.
+  wire [10:0] x;                                 // Column of the pixel.
+  wire [10:0] y;                                 // Its row.
+
+  assign idle = !busy && !writing;
+  assign frame_address = {{10'd0, y}} * 21'd{width} + {{10'd0, x}};
+
+  // The words of the triangle, from Shadegate's set-up.
+  always @* begin
+    case (index)
+{table}      default: word = {word_bits}'d0;
+    endcase
+  end
+
+  // One word per clock; the last one carries `start`. While the memory is cleared words may be written already.
+  always @(posedge clock) begin
+    if (begins) index <= 6'd0;
+    else if (writing && load_ready) index <= index + 6'd1;
+  end
+
+  {top} core (
+    .clock(clock),
+    .write(writing),
+    .select(word[{top_bit}:{b}]),
+    .data(word[{bus}:0]),
+    .start(writing && index == COUNT - 6'd1),
+    .clear(begins),
+    .ready(1'b1),
+    .load_ready(load_ready),
+    .valid(frame_write),
+    .x(x),
+    .y(y),
+    .red(frame_colour[23:16]),
+    .green(frame_colour[15:8]),
+    .blue(frame_colour[7:0]),
+    .depth(frame_depth),
+    .busy(busy),
+    .done(done)
+  );
+
+endmodule
+
+`default_nettype wire
+",
+        top_bit = b + 7,
+        word_bits = b + 8,
+        bus = b - 1,
+    ))
+}

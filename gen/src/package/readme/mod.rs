@@ -1,0 +1,174 @@
+//! The package's `README.md`, printed from the manifest so that the two cannot differ.
+
+mod tables;
+
+use super::build::nextpnr_options;
+use super::{Manifest, Target};
+use shadegate_constraints::Format;
+use shadegate_hdl::shade::device::Core;
+use shadegate_hdl::shade::model::Order;
+
+/// Text of `README.md`. `example` is the text of the example's file.
+pub fn readme(m: &Manifest, core: &Core, target: Option<Target>, example: &str) -> String {
+    let top = &m.top;
+    let (columns, rows) = m.frame;
+    let colour = match core.order {
+        Order::Linear => "a plane through three vertex colours",
+        Order::Quadratic => "a quadric through six colours, at vertices and mid-edges",
+    };
+    let place = match (&m.target, &m.board) {
+        (Some(part), Some(board)) => {
+            format!(" Its constraints and scripts are for {part} on the board {board}.")
+        }
+        (Some(part), None) => format!(" Its constraints and scripts are for {part}."),
+        _ => String::new(),
+    };
+    let sections = [
+        format!(
+            "# {top}\n\n\
+             A triangle shading core in Verilog, for frames of {columns}x{rows} pixels. A host writes the words of a \
+             triangle into registers and says `start`; the core walks the triangle row by row, one pixel per clock, \
+             with {colour}, tests each pixel against its depth memory and hands over those that are visible.{place}\n\n\
+             {}, configuration {}. Everything here is made by the generator; change it there.\n",
+            m.generator, m.configuration
+        ),
+        tables::contents(m),
+        tables::ports(m),
+        tables::registers(m),
+        tables::wrappers(m),
+        timing(m),
+        formats(m),
+        simulation(m),
+        synthesis(m, target),
+        tables::resources(m),
+        format!(
+            "## Example\n\n`example/{top}_example.v` draws one triangle into the write port of a frame buffer:\n\n\
+             ```verilog\n{example}```\n"
+        ),
+        "## Licence\n\nMIT or Apache 2.0, at your choice: SPDX-License-Identifier: MIT OR Apache-2.0.\n".to_owned(),
+    ];
+    let filled: Vec<String> = sections.into_iter().filter(|s| !s.is_empty()).collect();
+    filled.join("\n")
+}
+
+fn timing(m: &Manifest) -> String {
+    format!(
+        "## Timing\n\n\
+         ![The end of a triangle's words, its pixels, a consumer that pauses, done](doc/timing.svg)\n\n\
+         Every column is the clock before a rising edge: inputs as that edge sees them, outputs as they stand before \
+         it. The levels were recorded from the integer model of this core drawing a small triangle; \
+         `doc/timing.json` holds the same for WaveDrom.\n\n\
+         - Latency: {} clocks from the edge that takes `start` to the edge that can take the first pixel, in an idle core.\n\
+         - Throughput: one pixel per clock, without a gap between spans, or between triangles whose words came in time.\n\
+         - `clear` takes {} clocks, one per pixel of the frame.\n",
+        m.latency,
+        u64::from(m.frame.0) * u64::from(m.frame.1)
+    )
+}
+
+fn formats(m: &Manifest) -> String {
+    let rows: String = m
+        .formats
+        .iter()
+        .map(|(name, f)| {
+            format!(
+                "| {} | Q{}.{} | {} |\n",
+                name.replace('_', " "),
+                f.int,
+                f.frac,
+                f.width
+            )
+        })
+        .collect();
+    format!(
+        "## Formats and error\n\n\
+         | signal | format | bits |\n|---|---|---:|\n{rows}\n\
+         Q*m*.*n* is a signed word: a sign, *m* integer bits and *n* fraction bits. Words are stored modulo their \
+         width. For the longest walk that this frame can cause a colour is off by at most {:.4} LSB before the final \
+         rounding, when words are rounded to nearest; one LSB is one step of an 8-bit colour.\n",
+        m.error_bound_lsb
+    )
+}
+
+fn simulation(m: &Manifest) -> String {
+    let top = &m.top;
+    let benches: String = m
+        .wrappers
+        .iter()
+        .flat_map(|w| &w.names)
+        .map(|w| format!("make {w:<14} # the wrapper's test bench, in Icarus Verilog\n"))
+        .collect();
+    format!(
+        "## Simulate and lint\n\n\
+         ```sh\n\
+         make icarus         # Icarus Verilog: every output in every clock against sim/vectors.txt\n\
+         make verilator      # Verilator: the same\n\
+         {benches}\
+         make lint           # Verilator, all warnings\n\
+         make clean          # removes out/, below which everything is made\n\
+         ```\n\n\
+         A bench prints `PASS` and what it saw, or `MISMATCH` with clock and signal, and then `FAIL`. The vectors hold \
+         {} clocks and {} pixels.\n\n\
+         With FuseSoC, from a folder that holds this one:\n\n\
+         ```sh\n\
+         fusesoc --cores-root . run --target sim shadegate::{top}\n\
+         fusesoc --cores-root . run --target lint shadegate::{top}\n\
+         ```\n",
+        m.vectors.get("clocks").copied().unwrap_or_default(),
+        m.vectors.get("pixels").copied().unwrap_or_default()
+    )
+}
+
+fn synthesis(m: &Manifest, target: Option<Target>) -> String {
+    let top = &m.top;
+    let (command, remark) = match target.map(|t| (t, t.device.constraints)) {
+        Some((_, Format::Xdc)) => (
+            "make vivado         # build/vivado.tcl: synthesis out of context, reports in out/vivado\n".to_owned(),
+            "`build/vivado.tcl` was checked as Tcl, but not run by us, for want of the tool: expect to have to look at it.",
+        ),
+        Some((t, Format::Ucf)) => {
+            let project = if m.files.iter().any(|f| f.ends_with(".xise")) {
+                format!(" `build/{top}.xise` is the same as a project.")
+            } else {
+                String::new()
+            };
+            (
+                format!(
+                    "make ise            # build/ise.tcl, for {}: synthesis, in out/ise\n",
+                    t.device.vendor_tool
+                ),
+                if project.is_empty() {
+                    "`build/ise.tcl` was checked as Tcl, but not run by us, for want of the tool: expect to have to look at it."
+                } else {
+                    "`build/ise.tcl` was checked as Tcl, but not run by us, for want of the tool: expect to have to look at it. The project file beside it, which was not opened by us either, names the same files."
+                },
+            )
+        }
+        Some((t, format)) => {
+            let tool = &t.device.vendor_tool;
+            let constraints = m.files.iter().find(|f| f.starts_with("constraints/"));
+            (
+                format!(
+                    "{tool} {} --json out/{top}.json --{} {}\n",
+                    nextpnr_options(t).join(" "),
+                    format.extension(),
+                    constraints.map_or("", String::as_str)
+                ),
+                "nextpnr places a design with no more ports than the package has pins: put the core into a top level of your own first.",
+            )
+        }
+        None => (String::new(), ""),
+    };
+    let remark = if remark.is_empty() {
+        String::new()
+    } else {
+        format!("\n{remark}\n")
+    };
+    format!(
+        "## Synthesise\n\n\
+         ```sh\n\
+         make yosys          # build/yosys.ys: netlist and cell counts in out/\n\
+         {command}\
+         ```\n{remark}"
+    )
+}

@@ -1,0 +1,81 @@
+//! What cores were measured to take of a device, and what follows from the frame alone.
+//!
+//! The figures are those of the README's table, made by `scripts/resources`; a configuration that is not here was not
+//! measured, and nothing is guessed for it.
+
+use serde::Serialize;
+use shadegate_constraints::Device;
+use shadegate_hdl::shade::device::Core;
+use shadegate_hdl::shade::model::Order;
+
+/// Synthesiser and what it counted.
+pub const TOOL: &str = "Yosys 0.23, synth_xilinx, cells before placement";
+
+/// Cells of one core on one family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Measured {
+    /// Family, as devices name it.
+    pub family: &'static str,
+    /// Look-up tables of any size, and inverters.
+    pub lut: u32,
+    /// Flip-flops.
+    pub ff: u32,
+    /// Block RAMs.
+    pub bram: u32,
+    /// Multipliers.
+    pub dsp: u32,
+}
+
+/// Frame of the measured cores.
+const FRAME: (u32, u32) = (320, 240);
+
+const fn row(family: &'static str, lut: u32, ff: u32, bram: u32) -> Measured {
+    let dsp = 0;
+    Measured {
+        family,
+        lut,
+        ff,
+        bram,
+        dsp,
+    }
+}
+
+const QUADRATIC: [Measured; 3] = [
+    row("spartan-3", 2563, 3370, 76),
+    row("spartan-6", 2307, 3370, 76),
+    row("spartan-7", 2307, 3370, 38),
+];
+const GOURAUD: [Measured; 3] = [
+    row("spartan-3", 1534, 1882, 76),
+    row("spartan-6", 1272, 1882, 76),
+    row("spartan-7", 1288, 1882, 38),
+];
+
+/// The estimate in a manifest.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Resources {
+    /// Bits of the depth memory.
+    pub depth_memory_bits: u64,
+    /// Synthesiser of `measured`.
+    pub tool: &'static str,
+    /// By family; only the device's, if one is named. Null where this configuration was not measured.
+    pub measured: Option<Vec<Measured>>,
+}
+
+/// What a core takes, as far as it was measured.
+#[must_use]
+pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Resources {
+    let all = match core.order {
+        Order::Linear => GOURAUD,
+        Order::Quadratic => QUADRATIC,
+    };
+    let rows: Vec<Measured> = all
+        .into_iter()
+        .filter(|m| size == FRAME && device.is_none_or(|d| d.family == m.family))
+        .collect();
+    Resources {
+        depth_memory_bits: core.pixels as u64 * 16,
+        tool: TOOL,
+        measured: Some(rows).filter(|r| !r.is_empty()),
+    }
+}
