@@ -1,0 +1,96 @@
+//! A package builds and passes in a directory that holds nothing but itself, and cleans up after itself.
+
+mod common;
+
+use common::{make, need, run, Made};
+use shadegate_gen::wrapper::Wrapper;
+use shadegate_hdl::shade::model::Order;
+use std::collections::BTreeSet;
+use std::path::Path;
+
+fn files_below(root: &Path) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    let mut folders = vec![root.to_path_buf()];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).expect("readable") {
+            let path = entry.expect("readable").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                let inside = path.strip_prefix(root).expect("below");
+                found.insert(inside.to_string_lossy().into_owned());
+            }
+        }
+    }
+    found
+}
+
+fn passes(made: &Made, goals: &[&str]) {
+    let directory = made.unpacked();
+    let root = directory.path();
+    let before = files_below(root);
+    let clocks = format!(
+        "PASS clocks={} pixels={}\n",
+        made.trace.clocks.len(),
+        made.trace.pixels.len()
+    );
+    for goal in goals {
+        let (done, said) = run(root, "make", &[goal]);
+        assert!(done, "make {goal}: {said}");
+        match *goal {
+            "icarus" | "verilator" => assert!(said.contains(&clocks), "make {goal}: {said}"),
+            "lint" => assert!(!said.contains('%'), "{said}"),
+            wrapper => {
+                let pixels = format!(" pixels={} ", made.trace.pixels.len());
+                let line = said.lines().find(|l| l.starts_with("PASS writes="));
+                assert!(
+                    line.is_some_and(|l| l.contains(&pixels)),
+                    "make {wrapper}: {said}"
+                );
+            }
+        }
+    }
+    let made_now: Vec<String> = files_below(root).difference(&before).cloned().collect();
+    assert!(!made_now.is_empty());
+    assert!(
+        made_now.iter().all(|f| f.starts_with("out/")),
+        "{made_now:?}"
+    );
+    assert!(run(root, "make", &["clean"]).0);
+    assert_eq!(files_below(root), before);
+}
+
+#[test]
+fn both_engines_of_a_narrow_core() {
+    for tool in ["iverilog", "verilator", "make", "g++"] {
+        need(tool);
+    }
+    let made = make(Order::Linear, 64, 48, None, &[]);
+    passes(&made, &["icarus", "verilator", "lint"]);
+}
+
+#[test]
+fn both_engines_and_both_wrappers_of_a_wide_core() {
+    for tool in ["iverilog", "verilator", "make", "g++"] {
+        need(tool);
+    }
+    let made = make(Order::Quadratic, 64, 500, Some("arty-s7-50"), &Wrapper::ALL);
+    assert!(made.core.wide);
+    passes(&made, &["icarus", "verilator", "axi", "wishbone", "lint"]);
+}
+
+#[test]
+fn a_wrong_vector_fails() {
+    need("iverilog");
+    let made = make(Order::Linear, 16, 12, None, &[]);
+    let directory = made.unpacked();
+    let vectors = made.text("sim/vectors.txt");
+    // The last line's flags: `done` alone with load_ready becomes nothing at all.
+    let wrong = vectors.trim_end().rsplit_once('\n').expect("lines");
+    let mut words: Vec<&str> = wrong.1.split(' ').collect();
+    words[1] = "0";
+    let text = format!("{}\n{}\n", wrong.0, words.join(" "));
+    std::fs::write(directory.path().join("sim/vectors.txt"), text).unwrap();
+    let (_, said) = run(directory.path(), "make", &["icarus"]);
+    assert!(said.contains("FAIL clocks="), "{said}");
+}
