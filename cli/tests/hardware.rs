@@ -171,3 +171,48 @@ fn packages() {
         ["ball-quadratic-core", "ball.toml", "gouraud-core", "here"]
     );
 }
+
+#[test]
+fn packages_with_wrappers() {
+    let f = Folder::new();
+    let there = f.0.path().join("here");
+    std::fs::create_dir(&there).unwrap();
+    f.write("here/notes.txt", "mine");
+    let arguments =
+        "gen gouraud --size 32x24 --board ulx3s-25f --wrapper wishbone,axi --wrapper axi -o here";
+    let m = f.json(arguments, 0);
+    assert_eq!(
+        m["wrappers"]["names"],
+        serde_json::json!(["axi", "wishbone"])
+    );
+    assert_eq!(m["target"], "LFE5U-25F-6BG381C");
+    let files: Vec<&str> = (m["files"].as_array().unwrap().iter())
+        .filter_map(|f| f.as_str())
+        .collect();
+    for path in [
+        "README.md",
+        "constraints/gouraud_core.lpf",
+        "doc/timing.svg",
+        "example/gouraud_core_example.v",
+        "gouraud_core.core",
+        "sim/tb_gouraud_core_axi.v",
+        "sim/tb_gouraud_core_wishbone.v",
+        "wrappers/gouraud_core_axi.v",
+        "wrappers/gouraud_core_wishbone.v",
+    ] {
+        assert!(files.contains(&path), "{path}");
+    }
+    let read = |path: &str| std::fs::read(there.join(path)).unwrap();
+    let first: Vec<Vec<u8>> = files.iter().map(|path| read(path)).collect();
+    assert_eq!(f.json(arguments, 0), m);
+    let second: Vec<Vec<u8>> = files.iter().map(|path| read(path)).collect();
+    assert!(first == second, "not the same bytes again");
+    assert_eq!(read("notes.txt"), b"mine");
+
+    let plain = f.json("gen gouraud --size 32x24 -o plain", 0);
+    assert!(plain["wrappers"].is_null() && plain["resources"]["measured"].is_null());
+    f.refuses(
+        "gen gouraud --wrapper axi,pci",
+        "unknown wrapper 'pci'; expected axi or wishbone",
+    );
+}

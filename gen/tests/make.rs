@@ -80,6 +80,19 @@ fn both_engines_and_both_wrappers_of_a_wide_core() {
 }
 
 #[test]
+fn what_else_lies_in_the_folder_stays_out_of_the_build() {
+    need("iverilog");
+    let made = make(Order::Linear, 16, 12, None, &[]);
+    let directory = made.unpacked();
+    let stray = directory.path().join("rtl/frame_memory_9.v");
+    std::fs::write(&stray, "module broken (").unwrap();
+    let (done, said) = run(directory.path(), "make", &["icarus"]);
+    assert!(done && said.contains("PASS clocks="), "{said}");
+    assert!(run(directory.path(), "make", &["clean"]).0);
+    assert!(stray.is_file());
+}
+
+#[test]
 fn a_wrong_vector_fails() {
     need("iverilog");
     let made = make(Order::Linear, 16, 12, None, &[]);

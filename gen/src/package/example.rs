@@ -87,10 +87,12 @@ module {top}_example (
   wire begins = go && idle;                      // The triangle is begun.
   wire load_ready;                               // The core takes a word.
   wire busy;                                     // The core is at work.
+  wire core_done;                                // It has become idle: drawn, or cleared before all words were written.
   wire [10:0] x;                                 // Column of the pixel.
   wire [10:0] y;                                 // Its row.
 
   assign idle = !busy && !writing;
+  assign done = core_done && !writing;
   assign frame_address = {{10'd0, y}} * 21'd{width} + {{10'd0, x}};
 
   // The words of the triangle, from Shadegate's set-up.
@@ -123,7 +125,7 @@ module {top}_example (
     .blue(frame_colour[7:0]),
     .depth(frame_depth),
     .busy(busy),
-    .done(done)
+    .done(core_done)
   );
 
 endmodule

@@ -3,8 +3,15 @@
 use crate::wrapper::Wrapper;
 use shadegate_constraints::{Device, Format};
 
-/// Text of the Makefile; `make` alone runs the Icarus test bench.
-pub fn makefile(top: &str, wrappers: &[Wrapper], device: Option<&Device>) -> String {
+/// Text of the Makefile; `make` alone runs the Icarus test bench. The Verilog files are listed, so that nothing else that
+/// lies in `rtl/`, say from a core made there before, gets into a build.
+pub fn makefile(
+    top: &str,
+    rtl: &[String],
+    wrappers: &[Wrapper],
+    device: Option<&Device>,
+) -> String {
+    let rtl = rtl.join(" \\\n  ");
     let vendor = match device.map(|d| d.constraints) {
         Some(Format::Xdc) => {
             "vivado:\n\
@@ -32,7 +39,7 @@ pub fn makefile(top: &str, wrappers: &[Wrapper], device: Option<&Device>) -> Str
     let names = names.join(" ");
     format!(
         "# {top}: simulate, lint and synthesise. Everything made is below out/.\n\
-         RTL := $(wildcard rtl/*.v)\n\
+         RTL := {rtl}\n\
          TOP := {top}\n\
          OUT := out\n\n\
          .PHONY: {names}\n\n\

@@ -201,6 +201,8 @@ pub fn package_with(
     wrappers.dedup();
     let top = format!("{}_core", core.name());
     let stamp = stamp(&rtl.configuration);
+    let paths = rtl.files.iter().map(|f| format!("rtl/{}", f.file_name()));
+    let paths: Vec<String> = paths.collect();
     let mut files = vec![];
     let mut add = |path: String, text: String| files.push(PackageFile { path, text });
     for f in &rtl.files {
@@ -224,12 +226,10 @@ pub fn package_with(
     add("doc/timing.svg".into(), timing::svg(&diagram));
     add(
         "Makefile".into(),
-        makefile::makefile(&top, &wrappers, target.map(|t| t.device)),
+        makefile::makefile(&top, &paths, &wrappers, target.map(|t| t.device)),
     );
     let clocks = trace.clocks.len();
     files.extend(wrapper::files(core, &wrappers, &stamp, clocks));
-    let paths = rtl.files.iter().map(|f| format!("rtl/{}", f.file_name()));
-    let paths: Vec<String> = paths.collect();
     let sources = build::Sources {
         top: &top,
         rtl: paths.iter().map(String::as_str).collect(),

@@ -1,6 +1,7 @@
 //! The AXI4-Lite and AXI4-Stream wrapper.
 
 use super::bench::Protocol;
+use super::parts::{core_instance, host_clock, wires, FRAMES, HOST_CORE};
 use super::Context;
 
 /// Text of `<core>_axi.v`.
@@ -64,6 +65,7 @@ pub fn module(c: &Context) -> String {
   wire write_error;                              // It is refused.
   wire [31:0] read_data;                         // What stands at the read address.
   wire read_error;                               // Nothing can be read there.
+  wire pixel_keep;                               // The word of the stream holds a pixel.
 {wires}
   // Addresses to register writes.
   {top}_host host (
@@ -139,95 +141,6 @@ endmodule
         wires = wires(c),
         host_core = HOST_CORE,
         frames = FRAMES,
-    )
-}
-
-/// Wires between host, core and frames.
-pub(super) fn wires(c: &Context) -> String {
-    format!(
-        "  wire write;                                    // Register write.
-  wire [7:0] select;                             // Channel mask and word number.
-  wire [{}:0] data;                              // Register bus.
-  wire start;                                    // The words are complete.
-  wire clear;                                    // Clear the depth memory.
-  wire load_ready;                               // Words may be written.
-  wire end_frame;                                // What has been started is the rest of the frame.
-  wire ending;                                   // The end of a frame has not left yet.
-  wire valid;                                    // The core offers a pixel.
-  wire ready;                                    // It is taken.
-  wire [10:0] x;                                 // Its column.
-  wire [10:0] y;                                 // Its row.
-  wire [7:0] red;                                // Red.
-  wire [7:0] green;                              // Green.
-  wire [7:0] blue;                               // Blue.
-  wire [15:0] depth;                             // Depth.
-  wire pixel_keep;                               // The word of the stream holds a pixel.
-",
-        c.bus_bits - 1
-    )
-}
-
-/// Clock and reset of the host, where it has any.
-pub(super) fn host_clock(c: &Context, clock: &str) -> String {
-    if c.high_bits() == 0 {
-        String::new()
-    } else {
-        format!("    .clock({clock}),\n    .reset(reset),\n")
-    }
-}
-
-/// The host's connections to core and frames.
-pub(super) const HOST_CORE: &str = "    .write(write),
-    .select(select),
-    .data(data),
-    .start(start),
-    .clear(clear),
-    .load_ready(load_ready),
-    .busy(busy),
-    .end_frame(end_frame),
-    .ending(ending)
-";
-
-/// The frames' connections to core and host.
-pub(super) const FRAMES: &str = "    .reset(reset),
-    .valid(valid),
-    .x(x),
-    .y(y),
-    .red(red),
-    .green(green),
-    .blue(blue),
-    .depth(depth),
-    .busy(busy),
-    .ready(ready),
-    .end_frame(end_frame),
-    .ending(ending),
-";
-
-/// The core.
-pub(super) fn core_instance(c: &Context, clock: &str) -> String {
-    let ports = [
-        "write",
-        "select",
-        "data",
-        "start",
-        "clear",
-        "ready",
-        "load_ready",
-        "valid",
-        "x",
-        "y",
-        "red",
-        "green",
-        "blue",
-        "depth",
-        "busy",
-        "done",
-    ];
-    let list: Vec<String> = ports.iter().map(|p| format!("    .{p}({p})")).collect();
-    format!(
-        "  // The core.\n  {} core (\n    .clock({clock}),\n{}\n  );\n",
-        c.top,
-        list.join(",\n")
     )
 }
 

@@ -15,6 +15,7 @@ mod bench;
 mod frames;
 mod host;
 pub mod map;
+mod parts;
 mod wishbone;
 
 use crate::package::PackageFile;

@@ -1,7 +1,7 @@
 //! The Wishbone wrapper.
 
-use super::axi::{core_instance, host_clock, wires, FRAMES, HOST_CORE};
 use super::bench::Protocol;
+use super::parts::{core_instance, host_clock, wires, FRAMES, HOST_CORE};
 use super::Context;
 
 /// Text of `<core>_wishbone.v`.
@@ -89,12 +89,7 @@ endmodule
 
 `default_nettype wire
 ",
-        // `pixel_keep` is a port here.
-        wires = wires(c)
-            .lines()
-            .filter(|l| !l.contains(" pixel_keep;"))
-            .map(|l| format!("{l}\n"))
-            .collect::<String>(),
+        wires = wires(c),
         host_clock = host_clock(c, "wb_clk_i"),
         host_core = HOST_CORE,
         core = core_instance(c, "wb_clk_i"),

@@ -80,30 +80,30 @@ fn run(core: Core, stimulus: &Stimulus) -> Trace {
     Trace::record(core, stimulus, |clock| Some(clock) != pause)
 }
 
-/// The diagram of a core in a frame.
+/// What the core is sent from power-on to the end of the diagram, clock by clock.
 ///
 /// # Errors
 /// When the triangle cannot be set up, which no valid frame causes.
-pub fn diagram(core: &Core, size: (u32, u32)) -> Result<Diagram, StimulusError> {
+pub fn inputs(core: &Core, size: (u32, u32)) -> Result<Vec<CoreInputs>, StimulusError> {
     let (width, height) = size;
     let viewport = Viewport { width, height };
-    let stimulus = build(
-        core,
-        &[triangle(core.order)],
-        viewport,
-        &StimulusOptions::default(),
-    )?;
+    let triangles = [triangle(core.order)];
+    let stimulus = build(core, &triangles, viewport, &StimulusOptions::default())?;
     let trace = run(*core, &stimulus);
     let idle = CoreInputs {
         ready: true,
         ..CoreInputs::default()
     };
-    let inputs: Vec<CoreInputs> = trace
-        .clocks
-        .iter()
-        .map(|c| c.inputs)
-        .chain([idle; CLOCKS_AFTER])
-        .collect();
+    let sent = trace.clocks.iter().map(|c| c.inputs);
+    Ok(sent.chain([idle; CLOCKS_AFTER]).collect())
+}
+
+/// The diagram of a core in a frame.
+///
+/// # Errors
+/// As [`inputs`].
+pub fn diagram(core: &Core, size: (u32, u32)) -> Result<Diagram, StimulusError> {
+    let inputs = inputs(core, size)?;
     let mut model = core.model();
     let mut clocks: Vec<(CoreInputs, CoreOutputs)> = vec![];
     for i in &inputs {
