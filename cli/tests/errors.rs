@@ -98,7 +98,7 @@ fn names() {
     f.refuses(
         "gen gouraud --target xc7s5",
         "unknown device 'xc7s5'; did you mean 'xc7s50'? known: xc2s100e, xc3s200, xc3s500e, xc6slx9, xc6slx16, \
-         xc7s15, xc7s25, xc7s50",
+         xc7s15, xc7s25, xc7s50, ice40up5k, lfe5u-25f",
     );
     f.refuses(
         "gen gouraud --board arti-s7-50",
