@@ -103,7 +103,7 @@ fn names() {
     f.refuses(
         "gen gouraud --board arti-s7-50",
         "unknown board 'arti-s7-50'; did you mean 'arty-s7-50'? known: papilio-pro, mojo-v3, mimas-v2, arty-s7-50, \
-         cmod-s7",
+         cmod-s7, icebreaker, ulx3s-25f",
     );
 }
 
