@@ -84,3 +84,35 @@ fn yosys_takes_every_file_for_every_family() {
         }
     }
 }
+
+/// What the package's own script counts is what its manifest says was measured.
+#[test]
+fn measured_resources_can_be_measured_again() {
+    need("yosys");
+    let made = make(Order::Linear, 320, 240, Some("xc7s50"), &[]);
+    let directory = made.unpacked();
+    let (done, said) = run(directory.path(), "make", &["yosys"]);
+    assert!(done, "{said}");
+    let cells = std::fs::read_to_string(directory.path().join("out/yosys.txt")).expect("counted");
+    let sum = |kinds: &[&str]| -> u32 {
+        let pairs = cells.lines().filter_map(|l| l.trim().split_once(' '));
+        pairs
+            .filter(|(name, _)| kinds.iter().any(|k| name.starts_with(k)))
+            .filter_map(|(_, count)| count.trim().parse::<u32>().ok())
+            .sum()
+    };
+    let measured = made
+        .package
+        .manifest
+        .resources
+        .measured
+        .as_ref()
+        .expect("measured");
+    let [m] = &measured[..] else {
+        panic!("{measured:?}")
+    };
+    assert_eq!(sum(&["LUT", "INV"]), m.lut, "{cells}");
+    assert_eq!(sum(&["FD"]), m.ff, "{cells}");
+    assert_eq!(sum(&["RAMB"]), m.bram, "{cells}");
+    assert_eq!(sum(&["DSP", "MULT"]), m.dsp, "{cells}");
+}
