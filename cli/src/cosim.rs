@@ -32,12 +32,15 @@ pub struct CosimArgs {
     /// Core [default: the one of the method]
     #[arg(long, value_parser = Offer(cores))]
     core: Option<String>,
-    /// What simulates: rust-hdl the description, the others the emitted Verilog
+    /// What simulates: rust-hdl the description, compiled its netlist, the others the emitted Verilog
     #[arg(long, value_parser = Offer(engines), default_value = "rust-hdl")]
     engine: String,
-    /// Waveform to write
+    /// Waveform to write; the compiled engine also writes FILE.fst
     #[arg(long, value_name = "FILE.vcd")]
     wave: Option<PathBuf>,
+    /// Signals of the waveform: names of signals or instances, or patterns with * and ? [default: all]
+    #[arg(long, value_name = "PATTERN", requires = "wave", value_delimiter = ',')]
+    signals: Vec<String>,
     /// First clock of the waveform [default: 0]
     #[arg(long, value_name = "CYC", requires = "wave")]
     from: Option<String>,
@@ -58,7 +61,7 @@ pub fn run(a: &CosimArgs, global: Global) -> Outcome {
     // The names are checked before the scene is read; the scene's own method only matters without them.
     hardware_method(a.method.as_deref(), a.core.as_deref(), Method::Quadratic)?;
     let size = a.size.as_deref().map(size::parse).transpose()?;
-    let wave = wave(a)?;
+    let wave = wave(a, engine)?;
     a.output.as_deref().map(output::folder).transpose()?;
     let progress = Progress::new("reading the scene", global);
     let scene = scene::load(&a.scene).map_err(Failure::input)?;
@@ -93,7 +96,7 @@ pub fn run(a: &CosimArgs, global: Global) -> Outcome {
     Ok(Report { text, json, exit })
 }
 
-fn wave(a: &CosimArgs) -> Result<Option<Wave>, Failure> {
+fn wave(a: &CosimArgs, engine: Engine) -> Result<Option<Wave>, Failure> {
     let clock = |name: &str, text: &str| {
         let number = text.parse::<u64>().ok();
         number.ok_or_else(|| {
@@ -107,7 +110,16 @@ fn wave(a: &CosimArgs) -> Result<Option<Wave>, Failure> {
     let Some(file) = &a.wave else {
         return Ok(None);
     };
-    output::file(file, "vcd")?;
+    let endings: &[&str] = match engine {
+        Engine::Compiled => &["vcd", "fst"],
+        _ if a.signals.is_empty() => &["vcd"],
+        _ => {
+            return Err(Failure::input(format!(
+                "engine {engine} shows all signals; use --engine compiled for --signals"
+            )))
+        }
+    };
+    output::file_of(file, endings)?;
     let (from, to) = (from.unwrap_or(0), to.unwrap_or(u64::from(u32::MAX)));
     if from >= to {
         return Err(Failure::input(format!(
@@ -118,6 +130,7 @@ fn wave(a: &CosimArgs) -> Result<Option<Wave>, Failure> {
         file: file.clone(),
         from,
         to,
+        signals: a.signals.clone(),
     }))
 }
 

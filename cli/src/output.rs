@@ -28,13 +28,23 @@ fn in_a_folder(path: &Path) -> Result<(), Failure> {
 /// # Errors
 /// Another ending, no folder to put it in, or something else in its place.
 pub fn file(path: &Path, ending: &str) -> Result<(), Failure> {
-    let fits = path
-        .extension()
-        .is_some_and(|e| e.eq_ignore_ascii_case(ending));
-    if !fits {
+    file_of(path, &[ending])
+}
+
+/// A file that will be written, with one of these endings.
+///
+/// # Errors
+/// As [`file`].
+pub fn file_of(path: &Path, endings: &[&str]) -> Result<(), Failure> {
+    let fits = |ending: &&str| {
+        let given = path.extension();
+        given.is_some_and(|e| e.eq_ignore_ascii_case(ending))
+    };
+    if !endings.iter().any(fits) {
         return Err(Failure::input(format!(
-            "cannot write '{}': expected a name that ends in .{ending}",
-            path.display()
+            "cannot write '{}': expected a name that ends in .{}",
+            path.display(),
+            endings.join(" or .")
         )));
     }
     in_a_folder(path)?;

@@ -93,7 +93,7 @@ fn names() {
     );
     f.refuses(
         "cosim ball.toml --engine ikarus",
-        "unknown engine 'ikarus'; the nearest is 'icarus' of rust-hdl, icarus, verilator, cxxrtl",
+        "unknown engine 'ikarus'; the nearest is 'icarus' of rust-hdl, compiled, icarus, verilator, cxxrtl",
     );
     f.refuses(
         "gen gouraud --target xc7s5",
@@ -220,6 +220,14 @@ fn places_to_write() {
     f.refuses(
         "cosim ball.toml --wave w.fst",
         "cannot write 'w.fst': expected a name that ends in .vcd",
+    );
+    f.refuses(
+        "cosim ball.toml --engine compiled --wave w.txt",
+        "cannot write 'w.txt': expected a name that ends in .vcd or .fst",
+    );
+    f.refuses(
+        "cosim ball.toml --engine icarus --wave w.vcd --signals shell",
+        "engine icarus shows all signals; use --engine compiled for --signals",
     );
     // The name that is taken by default may be taken already.
     std::fs::create_dir(f.0.path().join("ball-flat.png")).unwrap();

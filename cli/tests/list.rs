@@ -34,7 +34,7 @@ fn names_alone_when_quiet() {
     f.run("list scenes -q --dir .").code(0).stdout("ball\n");
     f.run("list engines -q")
         .code(0)
-        .stdout("rust-hdl\nicarus\nverilator\ncxxrtl\n");
+        .stdout("rust-hdl\ncompiled\nicarus\nverilator\ncxxrtl\n");
 }
 
 #[test]
@@ -75,6 +75,7 @@ fn engines_say_how_to_install_them() {
         .stdout(
             "engine     installed  version, or how to install it\n\
          rust-hdl   yes        part of this program\n\
+         compiled   yes        part of this program\n\
          icarus     no         missing iverilog, vvp: apt install iverilog\n\
          verilator  no         missing verilator, make, g++: apt install verilator make g++\n\
          cxxrtl     no         missing yosys, yosys-config, g++: apt install yosys yosys-dev g++\n",

@@ -7,3 +7,4 @@ pub mod cosim;
 pub mod engine;
 mod process;
 pub mod synthesis;
+pub mod wave;

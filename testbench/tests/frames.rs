@@ -108,7 +108,14 @@ fn every_other_scene_in_process() {
         let scene = load(name);
         for method in [Method::Quadratic, Method::Gouraud] {
             let r = run(&scene, method, Engine::RustHdl, None);
-            assert_eq!(r.mismatches, 0, "{name} {method}: {:?}", r.first_mismatch);
+            let compiled = run(&scene, method, Engine::Compiled, None);
+            let mismatches = (r.mismatches, compiled.mismatches);
+            assert_eq!(
+                mismatches,
+                (0, 0),
+                "{name} {method}: {:?}",
+                r.first_mismatch
+            );
             assert!(
                 r.arithmetic["max_lsb"] <= 1.0,
                 "{name} {method}: {:?}",

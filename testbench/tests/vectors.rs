@@ -159,12 +159,18 @@ fn waveforms_of_a_window() {
     use shadegate_testbench::engine::Wave;
     let trace = triangles(Order::Linear, FRAMES[0]);
     let files = package_of(&trace, FRAMES[0]);
-    for engine in [Engine::RustHdl, Engine::Icarus, Engine::Cxxrtl] {
+    for engine in [
+        Engine::RustHdl,
+        Engine::Compiled,
+        Engine::Icarus,
+        Engine::Cxxrtl,
+    ] {
         let scratch = tempfile::tempdir().expect("temporary directory");
         let wave = Wave {
             file: scratch.path().join("window.vcd"),
             from: 100,
             to: 200,
+            signals: vec![],
         };
         run(engine, &trace, &files, scratch.path(), Some(&wave)).unwrap_or_else(|e| panic!("{e}"));
         let text = std::fs::read_to_string(&wave.file).expect("written");
@@ -180,8 +186,9 @@ fn waveforms_of_a_window() {
         file: scratch.path().join("window.vcd"),
         from: 10_000_000,
         to: 10_000_001,
+        signals: vec![],
     };
-    for engine in [Engine::RustHdl, Engine::Cxxrtl] {
+    for engine in [Engine::RustHdl, Engine::Compiled, Engine::Cxxrtl] {
         let e =
             run(engine, &trace, &files, scratch.path(), Some(&wave)).expect_err("nothing to show");
         let want = format!(

@@ -51,7 +51,7 @@ pub fn engines() -> Section {
 /// What the first tool of an engine says of itself.
 fn version(e: Engine) -> Option<String> {
     let (tool, option) = match e {
-        Engine::RustHdl => return Some("part of this program".to_owned()),
+        Engine::RustHdl | Engine::Compiled => return Some("part of this program".to_owned()),
         Engine::Icarus => ("iverilog", "-V"),
         Engine::Verilator => ("verilator", "--version"),
         Engine::Cxxrtl => ("yosys", "-V"),

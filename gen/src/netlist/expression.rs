@@ -43,7 +43,7 @@ pub struct Expression {
 }
 
 /// Operators on two words of one width that give a word of that width.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operator {
     /// Sum modulo 2^width.
     Add,
@@ -75,7 +75,7 @@ pub enum Comparison {
 }
 
 /// Reductions of a word to one bit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Reduction {
     /// Every bit is set.
     All,

@@ -7,6 +7,7 @@
 mod docs;
 mod drivers;
 mod expression;
+mod flat;
 mod fold;
 mod format;
 mod groups;
@@ -20,6 +21,7 @@ mod statement;
 pub use docs::undocumented;
 pub use drivers::always_assigned;
 pub use expression::{Comparison, Expression, Name, Node, Operator, Reduction};
+pub use flat::{elaborate, Driver, Flat, FlatMemory, FlatSignal, MemoryId, Process, SignalId};
 pub use fold::evaluate;
 pub use format::{Format, MAX_WIDTH};
 pub use groups::groups;

@@ -1,6 +1,7 @@
 //! Engines: ways to run a core's vectors. Each answers the same questions: do all outputs agree with the integer model
 //! in every clock, which pixels came out, and how fast was it.
 
+mod compiled;
 mod cxxrtl;
 mod icarus;
 mod process;
@@ -21,6 +22,8 @@ pub use crate::process::find_tool;
 pub enum Engine {
     /// rust-hdl's simulation of the description, in this process.
     RustHdl,
+    /// The netlist as native code, in this process.
+    Compiled,
     /// The emitted Verilog in Icarus Verilog.
     Icarus,
     /// The emitted Verilog compiled by Verilator.
@@ -31,13 +34,20 @@ pub enum Engine {
 
 impl Engine {
     /// All engines.
-    pub const ALL: [Self; 4] = [Self::RustHdl, Self::Icarus, Self::Verilator, Self::Cxxrtl];
+    pub const ALL: [Self; 5] = [
+        Self::RustHdl,
+        Self::Compiled,
+        Self::Icarus,
+        Self::Verilator,
+        Self::Cxxrtl,
+    ];
 
     /// Name on the command line.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::RustHdl => "rust-hdl",
+            Self::Compiled => "compiled",
             Self::Icarus => "icarus",
             Self::Verilator => "verilator",
             Self::Cxxrtl => "cxxrtl",
@@ -48,7 +58,7 @@ impl Engine {
     #[must_use]
     pub fn tools(self) -> &'static [(&'static str, &'static str)] {
         match self {
-            Self::RustHdl => &[],
+            Self::RustHdl | Self::Compiled => &[],
             Self::Icarus => &[("iverilog", "iverilog"), ("vvp", "iverilog")],
             Self::Verilator => &[("verilator", "verilator"), ("make", "make"), ("g++", "g++")],
             // yosys-config says where the headers of the C++ model are.
@@ -126,12 +136,14 @@ pub struct Run {
 /// A waveform of a window of clocks.
 #[derive(Clone, Debug)]
 pub struct Wave {
-    /// VCD file.
+    /// VCD file; the compiled engine writes FST by that ending.
     pub file: PathBuf,
     /// First clock.
     pub from: u64,
     /// One past the last clock.
     pub to: u64,
+    /// Patterns of the signals to show, see [`crate::wave`]; all if empty. Only the compiled engine chooses.
+    pub signals: Vec<String>,
 }
 
 /// Why an engine could not run.
@@ -187,8 +199,14 @@ pub fn run(
             });
         }
     }
+    let chooses = engine == Engine::Compiled || wave.is_none_or(|w| w.signals.is_empty());
+    if !chooses {
+        let what = "shows all signals; use --engine compiled for --signals".into();
+        return Err(EngineError::Unsupported { engine, what });
+    }
     match engine {
         Engine::RustHdl => rust_hdl::run(trace, wave),
+        Engine::Compiled => compiled::run(trace, wave),
         Engine::Icarus => icarus::run(trace, package, scratch, wave),
         Engine::Verilator => verilator::run(trace, package, scratch, wave),
         Engine::Cxxrtl => cxxrtl::run(trace, package, scratch, wave),

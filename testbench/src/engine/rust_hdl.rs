@@ -1,6 +1,7 @@
 //! rust-hdl in this process: the description itself, clocked by hand.
 
 use super::{Engine, EngineError, Run, SignalMismatch, Wave};
+use crate::wave::CLOCK_PS;
 use rust_hdl_core::vcd_probe::{write_vcd_change, write_vcd_dump, write_vcd_header, VCDProbe};
 use shadegate_gen::vectors::{pack_outputs, Trace, FLAGS, PIXEL};
 use shadegate_hdl::shade::device::CoreSimulator;
@@ -26,7 +27,11 @@ fn fields(o: &CoreOutputs) -> impl Iterator<Item = (&'static str, u64)> {
 }
 
 /// The first output that differs.
-fn difference(cycle: usize, want: &CoreOutputs, got: &CoreOutputs) -> Option<SignalMismatch> {
+pub(super) fn difference(
+    cycle: usize,
+    want: &CoreOutputs,
+    got: &CoreOutputs,
+) -> Option<SignalMismatch> {
     let mut pairs = fields(want).zip(fields(got));
     let ((signal, expected), (_, got)) = pairs.find(|(w, g)| w.1 != g.1)?;
     Some(SignalMismatch {
@@ -38,9 +43,6 @@ fn difference(cycle: usize, want: &CoreOutputs, got: &CoreOutputs) -> Option<Sig
         y: u32::from(want.y),
     })
 }
-
-/// Picoseconds per clock in the waveform.
-const CLOCK_PS: u64 = 10_000;
 
 /// A waveform under construction: written beside its place, moved there when it is whole.
 struct Waveform {
