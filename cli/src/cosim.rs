@@ -32,8 +32,8 @@ pub struct CosimArgs {
     /// Core [default: the one of the method]
     #[arg(long, value_parser = Offer(cores))]
     core: Option<String>,
-    /// What simulates: rust-hdl the description, compiled its netlist, the others the emitted Verilog
-    #[arg(long, value_parser = Offer(engines), default_value = "rust-hdl")]
+    /// What simulates: compiled the netlist, rust-hdl the description itself, the others the emitted Verilog
+    #[arg(long, value_parser = Offer(engines), default_value = "compiled")]
     engine: String,
     /// Waveform to write; the compiled engine also writes FILE.fst
     #[arg(long, value_name = "FILE.vcd")]

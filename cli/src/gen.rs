@@ -9,7 +9,7 @@ use crate::{output, size};
 use clap::Args;
 use serde_json::Value;
 use shadegate_constraints::{board, device};
-use shadegate_gen::package::{package_with, rtl, Options, Package, Target};
+use shadegate_gen::package::{package_with, rtl_with, Options, Package, Target};
 use shadegate_gen::stimulus::{build, sample_triangles, StimulusOptions};
 use shadegate_gen::vectors::Trace;
 use shadegate_gen::wrapper::Wrapper;
@@ -53,6 +53,9 @@ pub struct GenArgs {
     /// Bus wrappers to add; may be repeated, or a list with commas
     #[arg(long, value_parser = Offer(wrappers), value_delimiter = ',', value_name = "BUS")]
     wrapper: Vec<String>,
+    /// Give every register a synchronous reset, active high
+    #[arg(long)]
+    reset: bool,
     /// Clock period in nanoseconds, for the constraints [default: 10]
     #[arg(long, value_name = "NS", requires = "place")]
     period: Option<String>,
@@ -75,14 +78,14 @@ pub fn run(a: &GenArgs, global: Global) -> Outcome {
     a.output.as_deref().map(output::folder).transpose()?;
     let progress = Progress::new("generating", global);
     let (package, name) = match (&a.scene, &a.core) {
-        (Some(file), _) => of_scene(file, a.method.as_deref(), size, &options)?,
+        (Some(file), _) => of_scene(file, a.method.as_deref(), size, &options, a.reset)?,
         (None, Some(name)) if name.ends_with(".toml") => {
             return Err(Failure::input(format!(
                 "'{name}' is not a core; for a scene: shadegate gen --scene {name}"
             )));
         }
         (None, Some(name)) => (
-            sample(core(name)?, size.unwrap_or(FRAME), &options)?,
+            sample(core(name)?, size.unwrap_or(FRAME), &options, a.reset)?,
             format!("{name}-core"),
         ),
         // clap demands one of them.
@@ -144,21 +147,27 @@ fn of_scene(
     method: Option<&str>,
     size: Option<(u32, u32)>,
     options: &Options,
+    reset: bool,
 ) -> Result<(Package, String), Failure> {
     hardware_method(method, None, Method::Quadratic)?;
     let scene = scene::load(file).map_err(Failure::input)?;
     let method = hardware_method(method, None, scene.render.method)?;
     let p = prelude(&scene, method, size, &StimulusOptions::default()).map_err(failure)?;
     let name = format!("{}-{method}-core", scene.name);
-    if options.target.is_none() && options.wrappers.is_empty() {
+    if options.target.is_none() && options.wrappers.is_empty() && !reset {
         return Ok((p.package, name));
     }
     let frame = (p.prepared.width, p.prepared.height);
-    Ok((pack(&p.trace, frame, options)?, name))
+    Ok((pack(&p.trace, frame, options, reset)?, name))
 }
 
 /// A core by itself, with vectors that exercise all of it.
-fn sample(method: Method, frame: (u32, u32), options: &Options) -> Result<Package, Failure> {
+fn sample(
+    method: Method,
+    frame: (u32, u32),
+    options: &Options,
+    reset: bool,
+) -> Result<Package, Failure> {
     let (width, height) = frame;
     let core = core_for(method, width, height).map_err(failure)?;
     let viewport = Viewport { width, height };
@@ -166,11 +175,21 @@ fn sample(method: Method, frame: (u32, u32), options: &Options) -> Result<Packag
     let triangles = sample_triangles(core.order, viewport, count, seed);
     let stimulus = build(&core, &triangles, viewport, &StimulusOptions::default())
         .map_err(|e| failure(CosimError::Stimulus(e)))?;
-    pack(&Trace::record(core, &stimulus, |_| true), frame, options)
+    pack(
+        &Trace::record(core, &stimulus, |_| true),
+        frame,
+        options,
+        reset,
+    )
 }
 
-fn pack(trace: &Trace, frame: (u32, u32), options: &Options) -> Result<Package, Failure> {
-    rtl(&trace.core)
+fn pack(
+    trace: &Trace,
+    frame: (u32, u32),
+    options: &Options,
+    reset: bool,
+) -> Result<Package, Failure> {
+    rtl_with(&trace.core, reset)
         .and_then(|rtl| package_with(&rtl, trace, frame, options))
         .map_err(|e| failure(CosimError::Package(e)))
 }

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{make, need, run, Made};
+use common::{make, make_with, need, run, Made};
 use shadegate_gen::wrapper::Wrapper;
 use shadegate_hdl::shade::model::Order;
 use std::collections::BTreeSet;
@@ -82,6 +82,22 @@ fn both_engines_and_both_wrappers_of_a_wide_core() {
     let made = make(Order::Quadratic, 64, 500, Some("arty-s7-50"), &Wrapper::ALL);
     assert!(made.core.wide);
     passes(&made, &["icarus", "verilator", "axi", "wishbone", "lint"]);
+}
+
+/// The benches fill every register with noise, reset, and must then see what a core at power-up shows.
+#[test]
+fn a_core_with_a_reset_and_both_wrappers() {
+    let made = make_with(Order::Linear, (48, 32), None, &Wrapper::ALL, true);
+    let top = made.text("rtl/gouraud_core.v");
+    assert!(top.contains("input  wire reset,"), "{top}");
+    passes(&made, &["icarus", "verilator", "axi", "wishbone", "lint"]);
+    // The bench would notice a reset that does nothing.
+    let deaf = top.replace(".reset(reset)", ".reset(1'b0)");
+    assert_ne!(deaf, top);
+    let directory = made.unpacked();
+    std::fs::write(directory.path().join("rtl/gouraud_core.v"), deaf).unwrap();
+    let (_, said) = run(directory.path(), "make", &["icarus"]);
+    assert!(said.contains("FAIL clocks="), "{said}");
 }
 
 #[test]

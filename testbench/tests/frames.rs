@@ -96,37 +96,20 @@ fn teapot() {
 }
 
 #[test]
-fn every_other_scene_in_process() {
+fn every_other_sphere() {
+    all_engines("sphere-168.toml", 80, 0.9);
+    all_engines("sphere-374.toml", 180, 0.9);
+}
+
+#[test]
+fn every_other_scene() {
     for name in [
-        "sphere-168.toml",
-        "sphere-374.toml",
         "torus-288.toml",
         "two-lights.toml",
         "gem.toml",
         "rings.toml",
     ] {
-        let scene = load(name);
-        for method in [Method::Quadratic, Method::Gouraud] {
-            let r = run(&scene, method, Engine::RustHdl, None);
-            let compiled = run(&scene, method, Engine::Compiled, None);
-            let mismatches = (r.mismatches, compiled.mismatches);
-            assert_eq!(
-                mismatches,
-                (0, 0),
-                "{name} {method}: {:?}",
-                r.first_mismatch
-            );
-            assert!(
-                r.arithmetic["max_lsb"] <= 1.0,
-                "{name} {method}: {:?}",
-                r.arithmetic
-            );
-            assert!(
-                r.method_f64.max_lsb <= 1,
-                "{name} {method}: frame against f64 {:?}",
-                r.method_f64
-            );
-        }
+        all_engines(name, 10, 0.0);
     }
 }
 
@@ -134,12 +117,16 @@ fn every_other_scene_in_process() {
 fn a_large_frame_takes_the_wide_formats() {
     let scene = load("sphere-168.toml");
     for method in [Method::Quadratic, Method::Gouraud] {
-        let o = CosimOptions {
-            size: Some((640, 480)),
-            ..options(method, Engine::RustHdl)
+        let large = |engine| {
+            let o = CosimOptions {
+                size: Some((640, 480)),
+                ..options(method, engine)
+            };
+            cosim(&scene, &o).unwrap_or_else(|e| panic!("{e}"))
         };
-        let r = cosim(&scene, &o).unwrap_or_else(|e| panic!("{e}"));
+        let r = large(Engine::RustHdl);
         assert_eq!((r.mismatches, r.width), (0, 640));
+        assert_eq!(large(Engine::Compiled).mismatches, 0);
         assert!(
             r.arithmetic["max_lsb"] <= 1.0 && r.error_bound_lsb <= 0.25,
             "{:?} {}",

@@ -36,7 +36,12 @@ fn triangle(order: Order, size: (u32, u32)) -> Triangle {
 ///
 /// # Errors
 /// When the triangle cannot be set up, which no valid frame causes.
-pub fn example(core: &Core, size: (u32, u32), stamp: &str) -> Result<String, StimulusError> {
+pub fn example(
+    core: &Core,
+    size: (u32, u32),
+    stamp: &str,
+    reset: bool,
+) -> Result<String, StimulusError> {
     let (width, height) = size;
     let viewport = Viewport { width, height };
     let one = [triangle(core.order, size)];
@@ -110,7 +115,7 @@ module {top}_example (
 
   {top} core (
     .clock(clock),
-    .write(writing),
+{reset_line}    .write(writing),
     .select(word[{top_bit}:{b}]),
     .data(word[{bus}:0]),
     .start(writing && index == COUNT - 6'd1),
@@ -133,6 +138,7 @@ endmodule
 `default_nettype wire
 ",
         top_bit = b + 7,
+        reset_line = if reset { "    .reset(1'b0),\n" } else { "" },
         word_bits = b + 8,
         bus = b - 1,
     ))

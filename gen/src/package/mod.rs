@@ -28,7 +28,9 @@ pub use manifest::{BlockRam, FormatEntry, Manifest, PortEntry, Wrappers};
 pub use registers::{registers, Field, Register};
 pub use resources::{resources, Measured, Resources};
 
-use crate::netlist::{collect, undocumented, Module, NetlistError, SignalKind};
+use crate::netlist::{
+    collect, elaborate, undocumented, with_reset, Module, NetlistError, SignalKind, RESET,
+};
 use crate::simulators::{main_cpp, test_bench};
 use crate::stimulus::StimulusError;
 use crate::vectors::Trace;
@@ -123,16 +125,37 @@ pub struct Package {
 /// What made the files, as their headers and the manifest name it.
 pub const GENERATOR: &str = concat!("shadegate ", env!("CARGO_PKG_VERSION"));
 
+impl Rtl {
+    /// Whether the core has the optional synchronous reset.
+    #[must_use]
+    pub fn has_reset(&self) -> bool {
+        self.top.signal(RESET).is_some()
+    }
+}
+
 /// Emits and checks a core's Verilog.
 ///
 /// # Errors
 /// See [`PackageError`].
 pub fn rtl(core: &Core) -> Result<Rtl, PackageError> {
+    rtl_with(core, false)
+}
+
+/// The same, with a synchronous reset if that is wanted.
+///
+/// # Errors
+/// See [`PackageError`].
+pub fn rtl_with(core: &Core, reset: bool) -> Result<Rtl, PackageError> {
     let simulator = CoreSimulator::new(*core).map_err(PackageError::Description)?;
-    let top = collect(simulator.design())?;
+    let mut top = collect(simulator.design())?;
     if let Some(missing) = undocumented(&top) {
         return Err(missing.into());
     }
+    if reset {
+        top = with_reset(&top)?;
+    }
+    // One clock, and no wire that depends on itself, through the whole hierarchy.
+    elaborate(&top)?;
     let files = emit(&top, GENERATOR)?;
     let texts: Vec<&str> = files.iter().map(|f| f.text.as_str()).collect();
     let configuration = hash(&texts);
@@ -213,13 +236,13 @@ pub fn package_with(
         rtl.files.iter().map(|f| f.file_name() + "\n").collect(),
     );
     add("sim/vectors.txt".into(), trace.to_text());
-    add(format!("sim/tb_{top}.v"), test_bench(core));
-    add("sim/main.cpp".into(), main_cpp(core));
+    add(format!("sim/tb_{top}.v"), test_bench(core, rtl.has_reset()));
+    add("sim/main.cpp".into(), main_cpp(core, rtl.has_reset()));
     let constraints = target.map(|t| constraints(rtl, &top, t)).transpose()?;
     if let Some(f) = &constraints {
         add(f.path.clone(), f.text.clone());
     }
-    let example = example::example(core, size, &stamp)?;
+    let example = example::example(core, size, &stamp, rtl.has_reset())?;
     add(format!("example/{top}_example.v"), example.clone());
     let diagram = timing::diagram(core, size)?;
     add("doc/timing.json".into(), timing::wavedrom(&diagram));
@@ -229,7 +252,13 @@ pub fn package_with(
         makefile::makefile(&top, &paths, &wrappers, target.map(|t| t.device)),
     );
     let clocks = trace.clocks.len();
-    files.extend(wrapper::files(core, &wrappers, &stamp, clocks));
+    files.extend(wrapper::files(
+        core,
+        &wrappers,
+        &stamp,
+        clocks,
+        rtl.has_reset(),
+    ));
     let sources = build::Sources {
         top: &top,
         rtl: paths.iter().map(String::as_str).collect(),

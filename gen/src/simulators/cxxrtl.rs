@@ -24,6 +24,7 @@ pub fn cxxrtl_main(core: &Core) -> String {
     let observe = observe(|port| format!("core.{}.get<uint64_t>()", mangled(port)));
     program(&Device {
         ready: core.bus_bits() + 11,
+        prologue: String::new(),
         heading: format!(
             "// Replays a vector file on the CXXRTL model of {name}_core and compares every output in every clock.\n\
              //\n\

@@ -14,6 +14,8 @@ pub(super) struct Device {
     pub heading: String,
     /// `#include` lines.
     pub includes: String,
+    /// Statements that clock `device` before the vectors.
+    pub prologue: String,
     /// `struct Device`: `Device(argc, argv)`, `clock(number, inputs)`, `flags()`, `pixel()`, `finish()`.
     pub definition: String,
 }
@@ -65,6 +67,7 @@ pub(super) fn program(device: &Device) -> String {
         ready,
         heading,
         includes,
+        prologue,
         definition,
     } = device;
     format!(
@@ -144,7 +147,7 @@ int main(int argc, char** argv) {{
     return 2;
   }}
   Device device(argc, argv);
-  std::vector<uint64_t> pixels;
+{prologue}  std::vector<uint64_t> pixels;
   pixels.reserve(clocks.size());
   uint64_t flags = 0;
   uint64_t pixel = 0;

@@ -2,10 +2,60 @@
 
 use shadegate_hdl::shade::device::Core;
 
-/// Text of `tb_<core>_core.v`. Plusargs: `+vectors=FILE` (default `vectors.txt`), `+pixels=FILE` writes every pixel as
+/// What the test bench of a core with a reset has more.
+#[derive(Default)]
+struct Reset {
+    declaration: &'static str,
+    connection: &'static str,
+    prologue: &'static str,
+}
+
+impl Reset {
+    fn new(wanted: bool) -> Self {
+        if !wanted {
+            return Self::default();
+        }
+        Self {
+            declaration: "  reg reset = 1'b0;\n",
+            connection: ".reset(reset), ",
+            prologue: "    // Noise in every register, reset, a cleared memory, reset: what follows must not notice any of it.
+    for (clocks = 0; clocks < 200; clocks = clocks + 1) begin
+      {ready, clear, start, write} = {2'b10, clocks[4:0] == 5'd31, 1'b1};
+      {select, data} = clocks * 64'h9e3779b97f4a7c15;
+      #5 clock = 1'b1;
+      #5 clock = 1'b0;
+    end
+    {ready, clear, start, write, select, data} = 0;
+    reset = 1'b1;
+    #5 clock = 1'b1;
+    #5 clock = 1'b0;
+    {reset, clear} = 2'b01;
+    #5 clock = 1'b1;
+    #5 clock = 1'b0;
+    clear = 1'b0;
+    while (busy) begin
+      #5 clock = 1'b1;
+      #5 clock = 1'b0;
+    end
+    reset = 1'b1;
+    #5 clock = 1'b1;
+    #5 clock = 1'b0;
+    reset = 1'b0;
+    clocks = 0;
+",
+        }
+    }
+}
+
+/// Text of `tb_<core>_core.v`; `reset` says whether the core has one. Plusargs: `+vectors=FILE` (default `vectors.txt`), `+pixels=FILE` writes every pixel as
 /// `x y red green blue`, `+wave=FILE` dumps a waveform, `+from=CLOCK` and `+to=CLOCK` limit it.
 #[must_use]
-pub fn test_bench(core: &Core) -> String {
+pub fn test_bench(core: &Core, reset: bool) -> String {
+    let Reset {
+        declaration,
+        connection,
+        prologue,
+    } = Reset::new(reset);
     let name = core.name();
     let b = core.bus_bits();
     let top = b - 1;
@@ -21,7 +71,7 @@ pub fn test_bench(core: &Core) -> String {
 module tb_{name}_core;
 
   reg clock = 1'b0;
-  reg write = 1'b0;
+{declaration}  reg write = 1'b0;
   reg [7:0] select = 8'd0;
   reg [{top}:0] data = {b}'d0;
   reg start = 1'b0;
@@ -39,7 +89,7 @@ module tb_{name}_core;
   wire done;
 
   {name}_core core (
-    .clock(clock), .write(write), .select(select), .data(data), .start(start), .clear(clear), .ready(ready),
+    .clock(clock), {connection}.write(write), .select(select), .data(data), .start(start), .clear(clear), .ready(ready),
     .load_ready(load_ready), .valid(valid), .x(x), .y(y), .red(red), .green(green), .blue(blue), .depth(depth),
     .busy(busy), .done(done)
   );
@@ -114,7 +164,7 @@ module tb_{name}_core;
       character = $fgetc(vectors);
     end
     status = $ungetc(character, vectors);
-    while ($fscanf(vectors, "%h %h %h\n", in_word, want_flags, want_pixel) == 3) begin
+{prologue}    while ($fscanf(vectors, "%h %h %h\n", in_word, want_flags, want_pixel) == 3) begin
       if (dumping && clocks == from && from > 0) $dumpon;
       if (dumping && clocks == to) $dumpoff;
       {{ready, clear, start, write, select, data}} = in_word;

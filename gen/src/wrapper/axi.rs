@@ -21,7 +21,7 @@ pub fn module(c: &Context) -> String {
     format!(
         "{header}module {top}_axi (
   input  wire aclk,                              // Clock.
-  input  wire aresetn,                           // Reset of the wrapper, active low, synchronous. The core has none.
+  input  wire aresetn,                           // Reset, active low, synchronous; the README says of what.
   input  wire [10:0] s_axi_awaddr,               // Write address.
   input  wire s_axi_awvalid,                     // A write address is offered.
   output wire s_axi_awready,                     // It is taken.

@@ -88,6 +88,8 @@ pub(crate) struct Context {
     pub bus_bits: usize,
     /// The line of the header that names generator and configuration.
     pub stamp: String,
+    /// Whether the core has a reset.
+    pub reset: bool,
 }
 
 impl Context {
@@ -112,7 +114,13 @@ impl Context {
 /// The files of these wrappers, each once: modules under `wrappers/`, test benches under `sim/`. `clocks` is the length
 /// of the vector file, from which the benches take how long to wait before they give up.
 #[must_use]
-pub fn files(core: &Core, wrappers: &[Wrapper], stamp: &str, clocks: usize) -> Vec<PackageFile> {
+pub fn files(
+    core: &Core,
+    wrappers: &[Wrapper],
+    stamp: &str,
+    clocks: usize,
+    reset: bool,
+) -> Vec<PackageFile> {
     let mut wrappers = wrappers.to_vec();
     wrappers.sort_unstable();
     wrappers.dedup();
@@ -123,6 +131,7 @@ pub fn files(core: &Core, wrappers: &[Wrapper], stamp: &str, clocks: usize) -> V
         top: format!("{}_core", core.name()),
         bus_bits: core.bus_bits(),
         stamp: stamp.to_owned(),
+        reset,
     };
     let top = &c.top;
     let file = |path: String, text: String| PackageFile { path, text };

@@ -82,7 +82,12 @@ pub fn core_instance(c: &Context, clock: &str) -> String {
         "busy",
         "done",
     ];
-    let list: Vec<String> = ports.iter().map(|p| format!("    .{p}({p})")).collect();
+    let reset = c.reset.then_some("reset");
+    let list: Vec<String> = reset
+        .iter()
+        .chain(&ports)
+        .map(|p| format!("    .{p}({p})"))
+        .collect();
     format!(
         "  // The core.\n  {} core (\n    .clock({clock}),\n{}\n  );\n",
         c.top,

@@ -19,7 +19,7 @@ pub fn module(c: &Context) -> String {
     format!(
         "{header}module {top}_wishbone (
   input  wire wb_clk_i,                          // Clock.
-  input  wire wb_rst_i,                          // Reset of the wrapper, synchronous. The core has none.
+  input  wire wb_rst_i,                          // Reset, synchronous; the README says of what.
   input  wire wb_cyc_i,                          // A cycle is under way.
   input  wire wb_stb_i,                          // An access is offered.
   input  wire wb_we_i,                           // It is a write.

@@ -4,7 +4,7 @@
 #![allow(dead_code)]
 
 use shadegate_constraints::{board, device};
-use shadegate_gen::package::{package_with, rtl, Options, Package, Target};
+use shadegate_gen::package::{package_with, rtl_with, Options, Package, Target};
 use shadegate_gen::stimulus::{build, sample_triangles, StimulusOptions};
 use shadegate_gen::vectors::Trace;
 use shadegate_gen::wrapper::Wrapper;
@@ -62,6 +62,17 @@ pub fn make(
     place: Option<&str>,
     wrappers: &[Wrapper],
 ) -> Made {
+    make_with(order, (width, height), place, wrappers, false)
+}
+
+/// The same, with a synchronous reset if that is wanted.
+pub fn make_with(
+    order: Order,
+    (width, height): (u32, u32),
+    place: Option<&str>,
+    wrappers: &[Wrapper],
+    reset: bool,
+) -> Made {
     let core = Core::for_frame(order, width, height).expect("in range");
     let viewport = Viewport { width, height };
     let triangles = sample_triangles(order, viewport, 20, 1);
@@ -76,7 +87,7 @@ pub fn make(
         period_ns: 20.0,
     });
     let options = Options { target, wrappers };
-    let rtl = rtl(&core).expect("emits");
+    let rtl = rtl_with(&core, reset).expect("emits");
     let package = package_with(&rtl, &trace, (width, height), &options).expect("packs");
     Made {
         core,

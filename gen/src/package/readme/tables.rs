@@ -43,9 +43,14 @@ pub fn ports(m: &Manifest) -> String {
             )
         })
         .collect();
+    let reset = if m.ports.iter().any(|p| p.name == crate::netlist::RESET) {
+        "`reset`, active high and synchronous, gives every register its power-up value; the depth memory keeps its words, `clear` empties it."
+    } else {
+        "There is no reset: registers have initial values."
+    };
     format!(
         "## Ports\n\n\
-         All ports are synchronous to the rising edge of `clock`. There is no reset: registers have initial values.\n\n\
+         All ports are synchronous to the rising edge of `clock`. {reset}\n\n\
          | port | direction | bits | meaning |\n|---|---|---:|---|\n{rows}"
     )
 }
@@ -140,13 +145,17 @@ pub fn wrappers(m: &Manifest) -> String {
             )
         })
         .collect();
+    let reset = if m.ports.iter().any(|p| p.name == crate::netlist::RESET) {
+        "The reset is that of the core too; pixels on their way out are forgotten, the depth memory keeps its words."
+    } else {
+        "The reset is the wrapper's alone and forgets pixels on their way out; the core has none."
+    };
     format!(
         "## Bus wrappers\n\n{modules}\n\
          | address | register | access | meaning |\n|---|---|---|---|\n{rows}\n\
          Addresses count bytes. A write that the core cannot take yet is not answered until it can; a host that must \
          not wait reads `status` first. Writes of fewer than four bytes, and accesses where nothing can be written or \
-         read, are refused: SLVERR, or ERR_O. The reset is the wrapper's alone and forgets pixels on their way out; the \
-         core has none.\n\n\
+         read, are refused: SLVERR, or ERR_O. {reset}\n\n\
          A word of the pixel stream is {{2'b0, depth[15:0], blue[7:0], green[7:0], red[7:0], y[10:0], x[10:0]}}, 64 \
          bits. The stream may be held up at any time. A frame is what is started before the host writes `end`: its \
          last visible pixel bears the mark (TLAST), and leaves when the core is idle. Until then one pixel is held \
