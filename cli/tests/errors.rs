@@ -218,7 +218,7 @@ fn places_to_write() {
         "cannot write 'no/w.vcd': 'no' is not a directory",
     );
     f.refuses(
-        "cosim ball.toml --wave w.fst",
+        "cosim ball.toml --wave w.fst --engine rust-hdl",
         "cannot write 'w.fst': expected a name that ends in .vcd",
     );
     f.refuses(

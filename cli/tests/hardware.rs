@@ -31,7 +31,7 @@ fn every_pixel_of_a_small_scene() {
     );
     assert_eq!(
         (&r["engine"], &r["mismatches"]),
-        (&"rust-hdl".into(), &0.into())
+        (&"compiled".into(), &0.into())
     );
     assert!(r["pixels"].as_u64() > Some(0) && r["first_mismatch"].is_null());
     assert_eq!(
@@ -62,7 +62,7 @@ fn a_run_leaves_frames_verilog_reports_and_a_waveform() {
         .stderr("");
     let text = String::from_utf8(done.get_output().stdout.clone()).unwrap();
     assert!(
-        text.starts_with("ball: 24x16, quadratic core, rust-hdl\nno mismatch in "),
+        text.starts_with("ball: 24x16, quadratic core, compiled\nno mismatch in "),
         "{text}"
     );
     assert!(text.ends_with("\nwrote w.vcd\nwrote out\n"), "{text}");
