@@ -14,6 +14,7 @@ mod groups;
 mod lower;
 mod memory;
 mod module;
+mod order;
 mod read;
 mod reset;
 mod statement;

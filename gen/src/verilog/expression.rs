@@ -148,10 +148,11 @@ impl<'a> Printer<'a> {
         text
     }
 
-    /// Bits of a value.
+    /// Bits of a value, as text without a sign.
     fn slice(&mut self, e: &Expression, at: usize, width: usize) -> String {
         if at == 0 && width == e.width() {
-            return self.text(e);
+            let whole = Node::Reformat(Box::new(e.clone()));
+            return self.operand(&Expression::new(Format::Unsigned(width), whole));
         }
         let cut = |x: &Expression| {
             Expression::new(
@@ -192,12 +193,11 @@ impl<'a> Printer<'a> {
         match &e.node {
             Node::Read(_) | Node::Literal(_) => e.format.signed(),
             Node::Reformat(a) => self.text_signed(a),
-            Node::Slice(a, 0) if a.width() == e.width() => self.text_signed(a),
-            Node::Resize(a) if a.width() == e.width() => self.text_signed(a),
             Node::Not(a) | Node::Negate(a) | Node::ShiftLeft(a, _) | Node::ShiftRight(a, _) => {
                 self.text_signed(a)
             }
-            Node::Binary(_, a, b) => self.text_signed(a) && self.text_signed(b),
+            // Its operands are printed with the sign of their format.
+            Node::Binary(_, a, _) | Node::Product(a, _) => a.format.signed(),
             _ => false,
         }
     }
@@ -331,10 +331,15 @@ impl<'a> Printer<'a> {
             Node::Product(a, b) => {
                 format!("({} * {})", self.factor(a, width), self.factor(b, width))
             }
-            Node::ShiftLeft(a, by) => format!("({} << {})", self.text(a), self.text(by)),
-            Node::ShiftRight(a, by) => format!("({} >> {})", self.text(a), self.text(by)),
+            Node::ShiftLeft(a, by) => format!("({} << {})", self.text(a), self.operand(by)),
+            Node::ShiftRight(a, by) => format!("({} >> {})", self.text(a), self.operand(by)),
             Node::Slice(a, at) => self.slice(a, *at, width),
             Node::Select(a, at) => {
+                if let Node::Literal(at) = at.node {
+                    if at <= (a.width() - width) as u128 {
+                        return self.slice(a, at as usize, width);
+                    }
+                }
                 let shifted = Expression::new(
                     Format::Unsigned(a.width()),
                     Node::ShiftRight(
@@ -345,13 +350,18 @@ impl<'a> Printer<'a> {
                         at.clone(),
                     ),
                 );
-                // Within the word a position selects; only beyond it do the zeros of a shift differ.
-                let inside = at.width() < 7 && 1 << at.width() <= a.width();
-                if width == 1 && inside && a.width() > 1 {
+                // A position that names exactly the bits of the word selects one; for others a shift is clearer to
+                // lint tools, and brings the zeros beyond the top.
+                let exact = at.width() <= 7 && 1 << at.width() == a.width();
+                if width == 1 && exact {
                     let name = self.named(a);
                     self.used(&name, 0, a.width());
-                    let at = self.text(at);
-                    return format!("{name}[{at}]");
+                    let mut position = self.operand(at);
+                    if !position.starts_with(|c: char| c.is_ascii_alphabetic()) {
+                        position = self.named(at);
+                        self.used(&position, 0, at.width());
+                    }
+                    return format!("{name}[{position}]");
                 }
                 self.slice(&shifted, 0, width)
             }

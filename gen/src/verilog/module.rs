@@ -238,7 +238,7 @@ impl Wiring<'_> {
                 let number = if i == 0 {
                     String::new()
                 } else {
-                    (i + 1).to_string()
+                    format!("_run{}", i + 1)
                 };
                 let bits = if p.format.width() == 1 {
                     p.name.clone()

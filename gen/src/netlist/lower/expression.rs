@@ -536,7 +536,7 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    /// Bits of a word from a position; above its top there are zeros.
+    /// Bits of a word from a position; above its top there are zeros, or the sign of a fixed-point word.
     fn bits(&self, base: &E, width: usize, at: &E, format: Format, e: &E) -> Typed {
         let word = self.word(base, None, e)?;
         let have = word.width();
@@ -544,8 +544,16 @@ impl<'a> Lowering<'a> {
             return Err(self.error(format!("{width} bits are taken as a {format}"), e));
         }
         let unsigned = |w, node| Expression::new(Format::Unsigned(w), node);
+        let fixed = matches!(word.format, Format::Fixed(..));
         let Some(at) = self.constant_position(at) else {
             let at = Box::new(self.position(at)?);
+            let inside = at.width() < 16 && (1 << at.width()) - 1 + width <= have;
+            if fixed && !inside {
+                return Err(self.error(
+                    "the position can reach beyond the top of a fixed-point word, where Rust repeats the sign",
+                    e,
+                ));
+            }
             if width <= have {
                 return Ok(Expression::new(format, Node::Select(Box::new(word), at)));
             }
@@ -562,6 +570,10 @@ impl<'a> Lowering<'a> {
         let at = at as usize;
         if at + width <= have {
             return Ok(Expression::new(format, Node::Slice(Box::new(word), at)));
+        }
+        if fixed && at + width <= MAX_WIDTH {
+            let long = Expression::new(Format::Signed(at + width), Node::Resize(Box::new(word)));
+            return Ok(Expression::new(format, Node::Slice(Box::new(long), at)));
         }
         let inside = if at < have {
             unsigned(have - at, Node::Slice(Box::new(word), at))

@@ -4,6 +4,10 @@
 //!
 //! * *Types of literals, casts and `.into()`* are restored from the signals around them; see [`expression`].
 //! * *Run-time positions* (`get_bit(i.val().index() + 1)`) lose Rust's machine width: only signals and constants are taken.
+//! * *Positions beyond a fixed-point word* show its sign, beyond other words zeros; a run-time position that can reach
+//!   beyond a fixed-point word is refused.
+//! * *Enumerations* are known by name alone; two different ones of one name in sight are refused.
+//! * *Reads between two assignments* of one wire see the earlier value in rust-hdl; they are refused (`netlist::order`).
 //! * *Guards* of `match` arms leave no trace at all, so they cannot be refused here. Co-simulation finds them.
 //! * *Constants* of Rust appear as bare names and are refused; a `Constant` field is taken.
 //! * *Bodies written as Verilog text* are taken when they are one of rust-hdl's own memories, word for word, or say
@@ -19,6 +23,7 @@ mod statement;
 use super::docs::{ascii, field_docs};
 use super::drivers;
 use super::fold::fold;
+use super::order;
 use super::read::RawNode;
 use super::{Body, Child, Format, Module, NetlistError, Register, Signal, SignalKind};
 use expression::Lowering;
@@ -196,6 +201,7 @@ fn module(path: &str, node: RawNode) -> Result<Module, NetlistError> {
         body: Body::Statements(lowered.statements),
     };
     drivers::check(&made, &lowered.held, &lowered.linked)?;
+    order::check(&made)?;
     fold(&mut made);
     Ok(made)
 }

@@ -3,7 +3,7 @@
 //! rust-hdl's tree spells a name as the description does, with `$` between its parts (`total$q`, `span$bus$ready`,
 //! `lane[i+1]$value`, `State$Idle`). The netlist's names are the same with `_` for `$`.
 
-use crate::netlist::read::{literal_code, RawNode};
+use crate::netlist::read::{literal_code, RawAtom, RawNode};
 use crate::netlist::{Format, Name, NetlistError, Target};
 use rust_hdl_core::prelude::AtomKind;
 use rust_hdl_core::type_descriptor::{TypeDescriptor, TypeKind};
@@ -24,8 +24,8 @@ pub struct Scope<'a> {
     /// Name of the module, for errors.
     pub module: &'a str,
     node: &'a RawNode,
-    /// Variants of the enumerations in sight, by `Type$Variant`: code and width.
-    variants: BTreeMap<String, (u128, usize)>,
+    /// The enumerations in sight: their variants as `Type$Variant`; `None` when two of one name differ.
+    enumerations: BTreeMap<String, Option<Vec<String>>>,
     loops: Vec<(String, u128)>,
 }
 
@@ -34,12 +34,15 @@ pub fn plain(name: &str) -> String {
     name.replace('$', "_")
 }
 
-fn collect_variants(d: &TypeDescriptor, into: &mut BTreeMap<String, (u128, usize)>) {
+fn collect_variants(d: &TypeDescriptor, into: &mut BTreeMap<String, Option<Vec<String>>>) {
     match &d.kind {
         TypeKind::Enum(variants) => {
-            let width = Format::from_descriptor(d).map_or(0, Format::width);
-            for (code, variant) in variants.iter().enumerate() {
-                into.insert(variant.replace("::", "$"), (code as u128, width));
+            let list: Vec<String> = variants.iter().map(|v| v.replace("::", "$")).collect();
+            let known = into
+                .entry(d.name.clone())
+                .or_insert_with(|| Some(list.clone()));
+            if known.as_ref() != Some(&list) {
+                *known = None;
             }
         }
         TypeKind::Composite(fields) => fields.iter().for_each(|f| collect_variants(&f.kind, into)),
@@ -47,19 +50,26 @@ fn collect_variants(d: &TypeDescriptor, into: &mut BTreeMap<String, (u128, usize
     }
 }
 
+fn is_port(atom: &&RawAtom) -> bool {
+    matches!(
+        atom.kind,
+        AtomKind::InputParameter | AtomKind::OutputParameter
+    )
+}
+
 impl<'a> Scope<'a> {
     /// The scope of a module.
     pub fn new(module: &'a str, node: &'a RawNode) -> Self {
-        let mut variants = BTreeMap::new();
+        let mut enumerations = BTreeMap::new();
         let own = node.atoms.iter();
         let inner = node.children.iter().flat_map(|c| c.atoms.iter());
-        for atom in own.chain(inner) {
-            collect_variants(&atom.descriptor, &mut variants);
+        for atom in own.chain(inner.filter(is_port)) {
+            collect_variants(&atom.descriptor, &mut enumerations);
         }
         Self {
             module,
             node,
-            variants,
+            enumerations,
             loops: vec![],
         }
     }
@@ -79,16 +89,29 @@ impl<'a> Scope<'a> {
         self.loops.pop();
     }
 
-    /// The variants of the enumeration that a type is, by `Type$Variant`.
-    pub fn variant(&self, path: &str) -> Option<(u128, usize)> {
-        self.variants.get(path).copied()
+    /// Code and width of a variant, spelt `Type$Variant`, and how many variants its enumeration has. `None` when no
+    /// enumeration in sight has it, or two different ones of that name.
+    pub fn variant(&self, path: &str) -> Option<(u128, usize, usize)> {
+        let (name, _) = path.split_once('$')?;
+        let list = self.enumerations.get(name)?.as_ref()?;
+        let code = list.iter().position(|v| v == path)?;
+        let width = rust_hdl_core::bits::clog2(list.len());
+        Some((code as u128, width, list.len()))
     }
 
-    /// How many variants the enumeration has that this variant belongs to.
-    pub fn variants_beside(&self, path: &str) -> usize {
-        let prefix = path.rsplit_once('$').map_or("", |(p, _)| p);
-        let own = |k: &&String| k.rsplit_once('$').is_some_and(|(p, _)| p == prefix);
-        self.variants.keys().filter(own).count()
+    /// Whether two different enumerations of this name are in sight.
+    fn ambiguous(&self, path: &str) -> bool {
+        let name = path.split('$').next().unwrap_or_default();
+        matches!(self.enumerations.get(name), Some(None))
+    }
+
+    /// What to say of a name that is no variant.
+    pub fn not_a_variant(&self, path: &str) -> String {
+        let spelt = path.replace('$', "::");
+        if self.ambiguous(path) {
+            return format!("{spelt}: two different enumerations of that name are in sight");
+        }
+        format!("pattern {spelt} is neither a number nor a variant in sight")
     }
 
     /// The raw name behind a spelling: array positions evaluated, separators unified.
@@ -151,7 +174,7 @@ impl<'a> Scope<'a> {
         }
     }
 
-    fn child_port(&self, raw: &str) -> Option<(&RawNode, &crate::netlist::read::RawAtom)> {
+    fn child_port(&self, raw: &str) -> Option<(&RawNode, &RawAtom)> {
         self.node.children.iter().find_map(|c| {
             let port = raw.strip_prefix(c.name.as_str())?.strip_prefix('$')?;
             Some((c, c.atom(port)?))
@@ -173,8 +196,11 @@ impl<'a> Scope<'a> {
             let name = Name::Signal(plain(&raw));
             return Ok(Meaning::Value(name, format, atom.descriptor.clone()));
         }
-        if let Some((code, width)) = self.variant(&raw) {
+        if let Some((code, width, _)) = self.variant(&raw) {
             return Ok(Meaning::Variant(code, width, raw));
+        }
+        if self.ambiguous(&raw) {
+            return Err(self.error(self.not_a_variant(&raw)));
         }
         let (child, port) = self.child_port(&raw).ok_or_else(|| {
             self.error(format!(

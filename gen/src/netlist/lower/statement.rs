@@ -320,7 +320,7 @@ impl Lowering<'_> {
         format: Format,
         s: &S,
     ) -> Result<(u128, String, Option<usize>), NetlistError> {
-        if let Some((code, width)) = self.scope.variant(pattern) {
+        if let Some((code, width, variants)) = self.scope.variant(pattern) {
             if format != Format::Enumeration(width) {
                 return Err(self.refuse(format!("a {format} is matched with {pattern}"), s));
             }
@@ -328,19 +328,11 @@ impl Lowering<'_> {
                 .borrow_mut()
                 .insert(pattern.to_string(), (code, width));
             let name = super::scope::plain(pattern);
-            return Ok((code, name, Some(self.scope.variants_beside(pattern))));
+            return Ok((code, name, Some(variants)));
         }
         let code =
             pattern_number(pattern).filter(|_| matches!(format, Format::Bit | Format::Unsigned(_)));
-        let code = code.ok_or_else(|| {
-            self.refuse(
-                format!(
-                    "pattern {} is neither a number nor a variant in sight",
-                    pattern.replace('$', "::")
-                ),
-                s,
-            )
-        })?;
+        let code = code.ok_or_else(|| self.refuse(self.scope.not_a_variant(pattern), s))?;
         if format.width() < 128 && code >> format.width() != 0 {
             return Err(self.refuse(format!("pattern {code} does not fit {format}"), s));
         }

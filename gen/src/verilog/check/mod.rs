@@ -165,11 +165,11 @@ fn statement(scope: &Scope, line: &str) -> Result<(), String> {
     let Some(body) = body.strip_suffix(';') else {
         return Err("cannot read the statement".to_string());
     };
+    // The first `=` assigns; a `<=` further on compares.
     let (to, value) = body
-        .split_once("<=")
-        .or_else(|| body.split_once('='))
+        .split_once('=')
         .ok_or_else(|| "cannot read the statement".to_string())?;
-    let to = scope.left(to.trim())?;
+    let to = scope.left(to.strip_suffix('<').unwrap_or(to).trim())?;
     scope.assign(to, value.trim())
 }
 

@@ -23,6 +23,7 @@ fn safe_shapes_pass() {
         "  assign o = {4'd0, a[7:4]};",
         "  assign o = {{4{a[7]}}, a[7:4]};",
         "  assign flag = (a == b) && !(|a);",
+        "  assign flag = sa <= sb;",
         "  assign o = (a << b) ^ (-b);",
         "  wire [15:0] p = {8'd0, a} * {8'd0, b};",
         "  wire [2:0] i = a[2:0];\n  assign flag = b[i] && (^a);",
