@@ -30,3 +30,23 @@ pub fn source(name: &str) -> Option<&'static str> {
         .find(|(n, _)| *n == name)
         .map(|(_, text)| *text)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::SOURCES;
+
+    /// rust-hdl drops the guard of a `match` arm without a trace, so no description may have one.
+    #[test]
+    fn no_arm_has_a_guard() {
+        let guarded = |line: &str| {
+            let arm = line.split("//").next().and_then(|l| l.split_once("=>"));
+            arm.is_some_and(|(pattern, _)| pattern.contains(" if "))
+        };
+        assert!(guarded("State::Idle if self.go.val() => {"));
+        for (name, text) in SOURCES {
+            let described = text.split("/// Integer model").next().unwrap_or_default();
+            let line = described.lines().find(|l| guarded(l));
+            assert_eq!(line, None, "{name}");
+        }
+    }
+}

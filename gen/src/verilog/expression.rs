@@ -6,39 +6,11 @@
 //! unrelated line never renames it. A slice of the low bits of a sum or a bitwise operation is taken from the
 //! operands instead, which needs no wire.
 
+use super::part::Part;
 use crate::netlist::{
     Comparison, Expression, Format, Module, Name, Node, Operator, Reduction, SignalKind,
 };
 use std::collections::BTreeSet;
-
-/// A wire for a value that needs a name.
-#[derive(Clone, Debug)]
-pub struct Part {
-    /// Its name.
-    pub name: String,
-    /// Its format.
-    pub format: Format,
-    /// Its value.
-    pub value: String,
-    /// What it is part of.
-    pub stem: String,
-    /// Bits that something reads.
-    used: u128,
-}
-
-impl Part {
-    /// Runs of bits that nothing reads: lowest and highest.
-    pub fn unused(&self) -> Vec<(usize, usize)> {
-        let mut runs: Vec<(usize, usize)> = vec![];
-        for bit in (0..self.format.width()).filter(|b| self.used >> b & 1 == 0) {
-            match runs.last_mut() {
-                Some((_, high)) if *high + 1 == bit => *high = bit,
-                _ => runs.push((bit, bit)),
-            }
-        }
-        runs
-    }
-}
 
 /// A sized literal: binary for a bit, decimal for words, hexadecimal for signed and for long ones.
 pub fn literal(code: u128, format: Format) -> String {
@@ -104,7 +76,7 @@ impl<'a> Printer<'a> {
     }
 
     /// The wire that a value is, or gets; its bits count as read when they are sliced.
-    fn named(&mut self, e: &Expression) -> String {
+    pub(super) fn named(&mut self, e: &Expression) -> String {
         if let Node::Read(name) = &e.node {
             let constant = matches!(name, Name::Signal(s)
                 if self.module.signal(s).is_some_and(|s| matches!(s.kind, SignalKind::Constant(_))));
@@ -136,20 +108,20 @@ impl<'a> Printer<'a> {
         name
     }
 
-    fn used(&mut self, name: &str, at: usize, width: usize) {
+    pub(super) fn used(&mut self, name: &str, at: usize, width: usize) {
         if let Some(p) = self.parts.iter_mut().find(|p| p.name == name) {
             p.used |= mask(at, width);
         }
     }
 
-    fn read(&mut self, name: &Name) -> String {
+    pub(super) fn read(&mut self, name: &Name) -> String {
         let text = name.verilog();
         self.reads.insert(text.clone());
         text
     }
 
     /// Bits of a value, as text without a sign.
-    fn slice(&mut self, e: &Expression, at: usize, width: usize) -> String {
+    pub(super) fn slice(&mut self, e: &Expression, at: usize, width: usize) -> String {
         if at == 0 && width == e.width() {
             let whole = Node::Reformat(Box::new(e.clone()));
             return self.operand(&Expression::new(Format::Unsigned(width), whole));
@@ -189,7 +161,7 @@ impl<'a> Printer<'a> {
     }
 
     /// Whether Verilog takes the text of an expression as signed.
-    fn text_signed(&self, e: &Expression) -> bool {
+    pub(super) fn text_signed(&self, e: &Expression) -> bool {
         match &e.node {
             Node::Read(_) | Node::Literal(_) => e.format.signed(),
             Node::Reformat(a) => self.text_signed(a),
@@ -203,7 +175,7 @@ impl<'a> Printer<'a> {
     }
 
     /// An operand whose text has the sign of its format.
-    fn operand(&mut self, e: &Expression) -> String {
+    pub(super) fn operand(&mut self, e: &Expression) -> String {
         if self.text_signed(e) == e.format.signed() {
             return self.text(e);
         }
@@ -219,59 +191,8 @@ impl<'a> Printer<'a> {
         name
     }
 
-    /// The pieces of a concatenation, highest first.
-    fn pieces(&mut self, e: &Expression) -> Vec<String> {
-        match &e.node {
-            Node::Append(a, zeros) => {
-                let mut all = self.pieces(a);
-                all.push(format!("{zeros}'d0"));
-                all
-            }
-            Node::Resize(a) if e.width() > a.width() => {
-                let more = e.width() - a.width();
-                if !a.format.signed() {
-                    let mut all = vec![format!("{more}'d0")];
-                    all.extend(self.pieces(a));
-                    return all;
-                }
-                let mut all = self.sign_and_pieces(a);
-                let sign = all.remove(0);
-                all.insert(
-                    0,
-                    if more == 1 {
-                        sign
-                    } else {
-                        format!("{{{more}{{{sign}}}}}")
-                    },
-                );
-                all
-            }
-            _ => vec![self.text(e)],
-        }
-    }
-
-    /// The sign bit of a signed value, then its pieces.
-    fn sign_and_pieces(&mut self, e: &Expression) -> Vec<String> {
-        let top = e.width() - 1;
-        match &e.node {
-            Node::Append(a, zeros) => {
-                let mut all = self.sign_and_pieces(a);
-                all.push(format!("{zeros}'d0"));
-                all
-            }
-            Node::Slice(a, at) if matches!(a.node, Node::Read(_)) => {
-                vec![self.slice(a, at + top, 1), self.slice(a, *at, e.width())]
-            }
-            _ => {
-                let name = self.named(e);
-                self.used(&name, 0, e.width());
-                vec![slice(&name, e.width(), top, 1), name]
-            }
-        }
-    }
-
     /// A factor as wide as the product.
-    fn factor(&mut self, e: &Expression, width: usize) -> String {
+    pub(super) fn factor(&mut self, e: &Expression, width: usize) -> String {
         let format = if e.format.signed() {
             Format::Signed(width)
         } else {
@@ -282,7 +203,7 @@ impl<'a> Printer<'a> {
     }
 
     /// A count of bits; a constant one is printed in its own width.
-    fn text(&mut self, e: &Expression) -> String {
+    pub(super) fn text(&mut self, e: &Expression) -> String {
         let width = e.width();
         match &e.node {
             Node::Literal(code) => literal(*code, e.format),
@@ -373,56 +294,6 @@ impl<'a> Printer<'a> {
             }
             Node::ReplaceBit(a, at, bit) => self.replaced(e, a, at, bit),
         }
-    }
-
-    fn replaced(
-        &mut self,
-        e: &Expression,
-        a: &Expression,
-        at: &Expression,
-        bit: &Expression,
-    ) -> String {
-        let width = e.width();
-        if let Node::Literal(position) = at.node {
-            let position = usize::try_from(position).unwrap_or(usize::MAX);
-            if position >= width {
-                return self.text(a);
-            }
-            let mut pieces = vec![];
-            if position + 1 < width {
-                pieces.push(self.slice(a, position + 1, width - position - 1));
-            }
-            pieces.push(self.text(bit));
-            if position > 0 {
-                pieces.push(self.slice(a, 0, position));
-            }
-            return format!("{{{}}}", pieces.join(", "));
-        }
-        let format = Format::Unsigned(width);
-        let of = |node| Expression::new(format, node);
-        let one = of(Node::ShiftLeft(
-            Box::new(Expression::literal(1, format)),
-            Box::new(at.clone()),
-        ));
-        let word = of(Node::Reformat(Box::new(a.clone())));
-        let kept = of(Node::Binary(
-            Operator::And,
-            Box::new(word),
-            Box::new(of(Node::Not(Box::new(one)))),
-        ));
-        let set = of(Node::ShiftLeft(
-            Box::new(if width > 1 {
-                of(Node::Resize(Box::new(bit.clone())))
-            } else {
-                of(Node::Reformat(Box::new(bit.clone())))
-            }),
-            Box::new(at.clone()),
-        ));
-        self.text(&of(Node::Binary(
-            Operator::Or,
-            Box::new(kept),
-            Box::new(set),
-        )))
     }
 }
 

@@ -7,9 +7,12 @@
 
 mod body;
 pub mod check;
+mod concatenation;
 mod expression;
 mod memory;
 mod module;
+mod part;
 mod reserved;
+mod wiring;
 
 pub use module::{emit, hash, module_name, VerilogFile};

@@ -14,8 +14,13 @@
 //!   what they are in remarks; see [`memory`]. Other text, black boxes and wrappers are refused.
 
 mod align;
+mod choice;
+mod conversion;
 mod expression;
+mod link;
 mod memory;
+mod own_format;
+mod position;
 mod scope;
 mod show;
 mod statement;

@@ -3,10 +3,10 @@
 use super::expression::Lowering;
 use super::scope::{Driven, Meaning};
 use super::show;
-use crate::netlist::{Arm, Bits, Expression, Format, Name, NetlistError, Node, Statement, Target};
+use crate::netlist::{Bits, Format, Name, NetlistError, Node, Statement, Target};
 use rust_hdl_core::ast::{
     VerilogBlock, VerilogBlockOrConditional as Else, VerilogConditional, VerilogExpression as E,
-    VerilogLink, VerilogLinkDetails, VerilogLoop, VerilogMatch, VerilogStatement as S,
+    VerilogLoop, VerilogStatement as S,
 };
 use rust_hdl_core::type_descriptor::{TypeDescriptor, TypeKind};
 use std::collections::{BTreeMap, BTreeSet};
@@ -32,32 +32,8 @@ fn literal_usize(l: &rust_hdl_core::ast::VerilogLiteral) -> Option<u128> {
     crate::netlist::read::literal_code(&format!("{l:x}"))
 }
 
-/// The number that a pattern spells, such as `3`, `0x1f_usize` or `true`.
-fn pattern_number(text: &str) -> Option<u128> {
-    match text {
-        "true" => return Some(1),
-        "false" => return Some(0),
-        _ => {}
-    }
-    let text = text.replace('_', "");
-    let (radix, digits) = match text.get(..2) {
-        Some("0x") => (16, &text[2..]),
-        Some("0b") => (2, &text[2..]),
-        Some("0o") => (8, &text[2..]),
-        _ => (10, text.as_str()),
-    };
-    let end = digits
-        .find(|c: char| !c.is_digit(radix))
-        .unwrap_or(digits.len());
-    let suffix = &digits[end..];
-    let known = ["", "u8", "u16", "u32", "u64", "u128", "usize", "i32", "i64"];
-    known
-        .contains(&suffix)
-        .then(|| u128::from_str_radix(&digits[..end], radix).ok())?
-}
-
 impl Lowering<'_> {
-    fn refuse(&self, what: impl Into<String>, s: &S) -> NetlistError {
+    pub(super) fn refuse(&self, what: impl Into<String>, s: &S) -> NetlistError {
         self.scope
             .error(format!("{}: {}", what.into(), show::statement(s)))
     }
@@ -71,7 +47,7 @@ impl Lowering<'_> {
         Ok(out)
     }
 
-    fn block(
+    pub(super) fn block(
         &mut self,
         block: &VerilogBlock,
         top: bool,
@@ -83,7 +59,7 @@ impl Lowering<'_> {
             .try_for_each(|s| self.statement(s, top, out, into))
     }
 
-    fn statement(
+    pub(super) fn statement(
         &mut self,
         s: &S,
         top: bool,
@@ -126,7 +102,7 @@ impl Lowering<'_> {
         }
     }
 
-    fn unroll(
+    pub(super) fn unroll(
         &mut self,
         l: &VerilogLoop,
         top: bool,
@@ -146,7 +122,7 @@ impl Lowering<'_> {
         Ok(())
     }
 
-    fn assignment(
+    pub(super) fn assignment(
         &mut self,
         to: &E,
         value: &E,
@@ -180,7 +156,7 @@ impl Lowering<'_> {
         Ok(())
     }
 
-    fn clock(
+    pub(super) fn clock(
         &self,
         register: String,
         value: &E,
@@ -216,7 +192,7 @@ impl Lowering<'_> {
         Ok(())
     }
 
-    fn slice_assignment(
+    pub(super) fn slice_assignment(
         &self,
         base: &E,
         width: usize,
@@ -247,7 +223,7 @@ impl Lowering<'_> {
         })
     }
 
-    fn conditional(
+    pub(super) fn conditional(
         &mut self,
         c: &VerilogConditional,
         out: &mut Lowered,
@@ -267,120 +243,6 @@ impl Lowering<'_> {
             otherwise,
         })
     }
-
-    fn choice(
-        &mut self,
-        m: &VerilogMatch,
-        s: &S,
-        out: &mut Lowered,
-    ) -> Result<Statement, NetlistError> {
-        let format = self
-            .own_format(&m.test)?
-            .ok_or_else(|| self.refuse("the matched value has no format", s))?;
-        let subject = self.of_format(&m.test, format)?;
-        let mut arms: Vec<Arm> = vec![];
-        let mut otherwise = None;
-        let mut complete = false;
-        for case in &m.cases {
-            let mut body = vec![];
-            self.block(&case.block, false, out, &mut body)?;
-            if otherwise.is_some() {
-                continue;
-            }
-            if case.condition == "default" {
-                otherwise = Some(body);
-                continue;
-            }
-            let (label, name, variants) = self.label(&case.condition, format, s)?;
-            if arms.iter().any(|a| a.label == label) {
-                continue;
-            }
-            arms.push(Arm { label, name, body });
-            let all = variants.map_or_else(
-                || 1u128.checked_shl(format.width() as u32),
-                |v| Some(v as u128),
-            );
-            complete |= all == Some(arms.len() as u128);
-        }
-        // A match that names every value needs no default: its last arm serves, so that no latch is suspected.
-        if otherwise.is_none() && complete {
-            otherwise = arms.pop().map(|a| a.body);
-        }
-        Ok(Statement::Case {
-            subject,
-            arms,
-            otherwise: otherwise.unwrap_or_default(),
-        })
-    }
-
-    /// Code and name of a pattern, and how many variants its enumeration has.
-    fn label(
-        &self,
-        pattern: &str,
-        format: Format,
-        s: &S,
-    ) -> Result<(u128, String, Option<usize>), NetlistError> {
-        if let Some((code, width, variants)) = self.scope.variant(pattern) {
-            if format != Format::Enumeration(width) {
-                return Err(self.refuse(format!("a {format} is matched with {pattern}"), s));
-            }
-            self.variants
-                .borrow_mut()
-                .insert(pattern.to_string(), (code, width));
-            let name = super::scope::plain(pattern);
-            return Ok((code, name, Some(variants)));
-        }
-        let code =
-            pattern_number(pattern).filter(|_| matches!(format, Format::Bit | Format::Unsigned(_)));
-        let code = code.ok_or_else(|| self.refuse(self.scope.not_a_variant(pattern), s))?;
-        if format.width() < 128 && code >> format.width() != 0 {
-            return Err(self.refuse(format!("pattern {code} does not fit {format}"), s));
-        }
-        Ok((code, String::new(), None))
-    }
-
-    fn link(
-        &self,
-        link: &VerilogLink,
-        s: &S,
-        out: &mut Lowered,
-        into: &mut Vec<Statement>,
-    ) -> Result<(), NetlistError> {
-        let side = |base: &str, d: &VerilogLinkDetails| {
-            let field = d.my_name.trim_start_matches('.');
-            if field.is_empty() {
-                base.to_string()
-            } else {
-                format!("{base}${field}")
-            }
-        };
-        let (to, from) = match link {
-            VerilogLink::Forward(d) => (side(&d.other_name, d), side(&d.owner_name, d)),
-            VerilogLink::Backward(d) => (side(&d.owner_name, d), side(&d.other_name, d)),
-            VerilogLink::Bidirectional(_) => {
-                return Err(self.refuse("wires that are driven from both ends are not supported", s))
-            }
-        };
-        let Driven::Target(target, format, _) = self.scope.driven(&to)? else {
-            return Err(self.refuse("the clock of a register is set with dff_setup", s));
-        };
-        let Meaning::Value(name, own, _) = self.scope.read(&from)? else {
-            return Err(self.refuse(format!("{from} is not a signal"), s));
-        };
-        if own != format {
-            return Err(self.refuse(format!("a {own} is joined to a {format}"), s));
-        }
-        if !out.linked.insert(target.clone()) {
-            return Err(self.refuse(format!("{} is joined twice", to.replace('$', ".")), s));
-        }
-        let value = Expression::new(own, Node::Read(name));
-        into.push(Statement::Assign {
-            target,
-            bits: None,
-            value,
-        });
-        Ok(())
-    }
 }
 
 /// The format of the field of a structure at these bits; an unsigned word if it is no field.
@@ -398,19 +260,4 @@ fn field_format(d: &TypeDescriptor, at: usize, width: usize) -> Format {
         }
     }
     Format::Unsigned(width)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::pattern_number;
-
-    #[test]
-    fn patterns_are_numbers() {
-        assert_eq!(pattern_number("12"), Some(12));
-        assert_eq!(pattern_number("0x1f_usize"), Some(31));
-        assert_eq!(pattern_number("0b1_01u8"), Some(5));
-        assert_eq!(pattern_number("true"), Some(1));
-        assert_eq!(pattern_number("x"), None);
-        assert_eq!(pattern_number("3cats"), None);
-    }
 }

@@ -6,6 +6,7 @@ mod choices;
 mod memories;
 mod operators;
 mod positions;
+mod products;
 mod registers;
 mod structure;
 mod widths;
@@ -20,6 +21,7 @@ fn cases() -> Vec<Case> {
         widths::cases(),
         positions::cases(),
         casts::cases(),
+        products::cases(),
         registers::cases(),
         choices::cases(),
         structure::cases(),
