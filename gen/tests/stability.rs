@@ -4,6 +4,7 @@ use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::prelude::*;
 use shadegate_gen::netlist::collect;
 use shadegate_gen::verilog::{emit, VerilogFile};
+use shadegate_hdl::comment;
 use shadegate_hdl::shade::quadratic::QuadraticCore;
 use shadegate_hdl::simulate::Simulator;
 
@@ -130,4 +131,92 @@ fn an_added_line_renames_nothing() {
     );
     assert!(before.contains("wire [7:0] high_part = a + b;"), "{before}");
     assert!(before.contains("if (sum_when_part[7]) begin"), "{before}");
+}
+
+/// A counter of any width, under one name.
+#[derive(LogicBlock, Default)]
+struct Counter<const N: usize> {
+    pub clock: Signal<In, Clock>,
+    pub o: Signal<Out, Bits<N>>,
+    count: DFF<Bits<N>>,
+}
+
+impl<const N: usize> Logic for Counter<N> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        comment!("name counter");
+        comment!("title Counts clocks.");
+        dff_setup!(self, clock, count);
+        self.count.d.next = self.count.q.val() + 1;
+        self.o.next = self.count.q.val();
+    }
+}
+
+/// Two widths, one of them twice.
+#[derive(LogicBlock, Default)]
+struct Counters {
+    pub clock: Signal<In, Clock>,
+    pub o: Signal<Out, Bits<8>>,
+    first: Counter<8>,
+    second: Counter<5>,
+    third: Counter<8>,
+}
+
+impl Logic for Counters {
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.first.clock.next = self.clock.val();
+        self.second.clock.next = self.clock.val();
+        self.third.clock.next = self.clock.val();
+        self.o.next =
+            self.first.o.val() + self.third.o.val() + bit_cast::<8, 5>(self.second.o.val());
+    }
+}
+
+/// The same in another order.
+#[derive(LogicBlock, Default)]
+struct Reordered {
+    pub clock: Signal<In, Clock>,
+    pub o: Signal<Out, Bits<5>>,
+    second: Counter<5>,
+    first: Counter<8>,
+}
+
+impl Logic for Reordered {
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.first.clock.next = self.clock.val();
+        self.second.clock.next = self.clock.val();
+        self.o.next = bit_cast::<5, 8>(self.first.o.val()) + self.second.o.val();
+    }
+}
+
+/// The names of the emitted modules and, by the width they hold, those of the counters.
+fn counters<B: Block>(mut design: B) -> (usize, [String; 2]) {
+    design.connect_all();
+    let files = emit(&collect(&design).expect("is typed"), "the test").expect("prints");
+    let of = |range: &str| {
+        let holds = |f: &&VerilogFile| f.name != "top" && f.text.contains(range);
+        files
+            .iter()
+            .find(holds)
+            .map(|f| f.name.clone())
+            .expect("a counter")
+    };
+    (files.len(), [of("reg [7:0] count"), of("reg [4:0] count")])
+}
+
+#[test]
+fn equal_instances_share_a_module_and_different_ones_do_not() {
+    let (modules, names) = counters(Counters::default());
+    assert_eq!(modules, 3);
+    assert!(
+        names.iter().all(|n| n.starts_with("counter_")) && names[0] != names[1],
+        "{names:?}"
+    );
+    assert_eq!(
+        counters(Reordered::default()).1,
+        names,
+        "order decides a name"
+    );
 }

@@ -22,7 +22,9 @@ mod statement;
 pub use docs::undocumented;
 pub use drivers::always_assigned;
 pub use expression::{Comparison, Expression, Name, Node, Operator, Reduction};
-pub use flat::{elaborate, Driver, Flat, FlatMemory, FlatSignal, MemoryId, Process, SignalId};
+pub use flat::{
+    check_hierarchy, elaborate, Driver, Flat, FlatMemory, FlatSignal, MemoryId, Process, SignalId,
+};
 pub use fold::evaluate;
 pub use format::{Format, MAX_WIDTH};
 pub use groups::groups;

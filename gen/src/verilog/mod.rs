@@ -13,6 +13,7 @@ mod memory;
 mod module;
 mod part;
 mod reserved;
+mod shared;
 mod wiring;
 
 pub use module::{emit, hash, module_name, VerilogFile};

@@ -3,6 +3,8 @@
 use crate::{circuit, refused};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::prelude::*;
+use shadegate_gen::netlist::collect;
+use shadegate_gen::verilog::emit;
 
 circuit! {
     Loop { a: Signal<In, Bits<8>>, o: Signal<Out, Bits<8>>, t: Signal<Local, Bits<8>> }
@@ -62,4 +64,21 @@ fn combinational_loops_are_refused() {
 #[test]
 fn a_second_clock_is_refused() {
     refused! { TwoClocks => "module top: two clocks: first.state is clocked by clock, second.state by other" }
+}
+
+/// What cannot be simulated for its loop is not printed either; two clocks are.
+#[test]
+fn loops_are_not_printed_and_clocks_are() {
+    fn printed<B: Block>(mut design: B) -> Result<usize, String> {
+        design.connect_all();
+        let top = collect(&design).map_err(|e| e.to_string())?;
+        let files = emit(&top, "the test").map_err(|e| e.to_string())?;
+        Ok(files.len())
+    }
+    let path = "first.a -> first.o -> second.a -> second.o -> first.a";
+    assert_eq!(
+        printed(Ring::default()),
+        Err(format!("module top: combinational loop: {path}"))
+    );
+    assert_eq!(printed(TwoClocks::default()), Ok(2));
 }

@@ -25,6 +25,21 @@ pub(super) struct Builder<'a> {
 /// Unknown names, widths that disagree, wires without a driver or not assigned on every path, more than one clock, a
 /// combinational loop.
 pub fn elaborate(top: &Module) -> Result<Flat<'_>, NetlistError> {
+    let mut b = flatten(top)?;
+    clock::resolve(&mut b)?;
+    order::levelise(&mut b.flat)?;
+    Ok(b.flat)
+}
+
+/// Checks a hierarchy as [`elaborate`] does, but takes any number of clocks.
+///
+/// # Errors
+/// As those of [`elaborate`], but for clocks.
+pub fn check_hierarchy(top: &Module) -> Result<(), NetlistError> {
+    order::levelise(&mut flatten(top)?.flat)
+}
+
+fn flatten(top: &Module) -> Result<Builder<'_>, NetlistError> {
     let mut b = Builder {
         flat: Flat {
             name: top.name.clone(),
@@ -49,9 +64,7 @@ pub fn elaborate(top: &Module) -> Result<Flat<'_>, NetlistError> {
         ports.insert(s.name.clone(), id);
     }
     b.module(top, "", ports, 0)?;
-    clock::resolve(&mut b)?;
-    order::levelise(&mut b.flat)?;
-    Ok(b.flat)
+    Ok(b)
 }
 
 impl<'a> Builder<'a> {

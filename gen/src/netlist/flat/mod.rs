@@ -16,7 +16,7 @@ mod memory;
 mod order;
 mod report;
 
-pub use build::elaborate;
+pub use build::{check_hierarchy, elaborate};
 
 use super::{Format, Memory, Name, Statement, Target};
 use std::collections::HashMap;
