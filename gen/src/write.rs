@@ -24,6 +24,18 @@ pub fn create_directory(path: &Path) -> Result<(), WriteError> {
     })
 }
 
+/// A file to be written whole and then moved to its place in the same folder. A temporary file is its owner's alone;
+/// this one is to be as readable as any other.
+///
+/// # Errors
+/// When the system refuses.
+pub fn temporary_in(folder: &Path) -> std::io::Result<tempfile::NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(folder)
+}
+
 /// Writes a file: readers see the old one or the whole new one, never a part. Missing directories are created.
 ///
 /// # Errors
@@ -38,15 +50,25 @@ pub fn write_file(path: &Path, contents: &[u8]) -> Result<(), WriteError> {
         .filter(|p| !p.as_os_str().is_empty())
         .unwrap_or(Path::new("."));
     create_directory(parent)?;
-    let mut file = tempfile::NamedTempFile::new_in(parent).map_err(error)?;
+    let mut file = temporary_in(parent).map_err(error)?;
     file.write_all(contents).map_err(error)?;
-    // Temporary files are private; a result is as readable as any other file.
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        let mode = std::fs::Permissions::from_mode(0o644);
-        file.as_file().set_permissions(mode).map_err(error)?;
-    }
     file.persist(path).map_err(|e| error(e.error))?;
     Ok(())
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::os::unix::fs::PermissionsExt;
+
+    #[test]
+    fn a_result_is_as_readable_as_any_other_file() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (plain, whole) = (folder.path().join("plain"), folder.path().join("whole"));
+        std::fs::write(&plain, "x").expect("writable");
+        super::write_file(&whole, b"x").expect("writable");
+        let mode = |p| std::fs::metadata(p).expect("exists").permissions().mode();
+        assert_eq!(mode(&plain), mode(&whole));
+        let temporary = super::temporary_in(folder.path()).expect("a file");
+        assert_eq!(mode(&plain), mode(&temporary.path().to_owned()));
+    }
 }

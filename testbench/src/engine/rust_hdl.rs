@@ -4,6 +4,7 @@ use super::{Engine, EngineError, Run, SignalMismatch, Wave};
 use crate::wave::CLOCK_PS;
 use rust_hdl_core::vcd_probe::{write_vcd_change, write_vcd_dump, write_vcd_header, VCDProbe};
 use shadegate_gen::vectors::{pack_outputs, Trace, FLAGS, PIXEL};
+use shadegate_gen::write::temporary_in;
 use shadegate_hdl::shade::device::CoreSimulator;
 use shadegate_hdl::shade::model::CoreOutputs;
 use std::fs::File;
@@ -57,7 +58,7 @@ impl Waveform {
             .parent()
             .filter(|p| !p.as_os_str().is_empty())
             .unwrap_or(Path::new("."));
-        let file = NamedTempFile::new_in(parent)?;
+        let file = temporary_in(parent)?;
         let header = write_vcd_header(BufWriter::new(file.reopen()?), simulator.design());
         Ok(Self {
             probe: write_vcd_dump(header, simulator.design()),

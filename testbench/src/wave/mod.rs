@@ -13,6 +13,7 @@ use crate::engine::Wave;
 use pattern::chosen;
 use shadegate_gen::compile::{Signal, Simulator};
 use shadegate_gen::netlist::NetlistError;
+use shadegate_gen::write::temporary_in;
 use std::collections::HashMap;
 use std::io;
 use std::path::Path;
@@ -96,7 +97,7 @@ impl Waveform {
             }
         }
         let parent = wave.file.parent().filter(|p| !p.as_os_str().is_empty());
-        let file = NamedTempFile::new_in(parent.unwrap_or(Path::new(".")))?;
+        let file = temporary_in(parent.unwrap_or(Path::new(".")))?;
         let out = io::BufWriter::new(file.reopen()?);
         let ending = wave.file.extension();
         let sink: Box<dyn Sink> = if ending.is_some_and(|e| e.eq_ignore_ascii_case("fst")) {
