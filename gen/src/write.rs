@@ -24,16 +24,22 @@ pub fn create_directory(path: &Path) -> Result<(), WriteError> {
     })
 }
 
-/// A file to be written whole and then moved to its place in the same folder. A temporary file is its owner's alone;
-/// this one is to be as readable as any other.
+/// The folder of a file.
+fn folder_of(path: &Path) -> &Path {
+    let parent = path.parent().filter(|p| !p.as_os_str().is_empty());
+    parent.unwrap_or(Path::new("."))
+}
+
+/// A file to be written whole and then moved to its place, beside it. A temporary file is its owner's alone; this one
+/// is to be as readable as any other.
 ///
 /// # Errors
 /// When the system refuses.
-pub fn temporary_in(folder: &Path) -> std::io::Result<tempfile::NamedTempFile> {
+pub fn temporary_beside(path: &Path) -> std::io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder)
+    builder.tempfile_in(folder_of(path))
 }
 
 /// Writes a file: readers see the old one or the whole new one, never a part. Missing directories are created.
@@ -45,12 +51,8 @@ pub fn write_file(path: &Path, contents: &[u8]) -> Result<(), WriteError> {
         path: path.into(),
         source,
     };
-    let parent = path
-        .parent()
-        .filter(|p| !p.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
-    create_directory(parent)?;
-    let mut file = temporary_in(parent).map_err(error)?;
+    create_directory(folder_of(path))?;
+    let mut file = temporary_beside(path).map_err(error)?;
     file.write_all(contents).map_err(error)?;
     file.persist(path).map_err(|e| error(e.error))?;
     Ok(())
@@ -68,7 +70,7 @@ mod tests {
         super::write_file(&whole, b"x").expect("writable");
         let mode = |p| std::fs::metadata(p).expect("exists").permissions().mode();
         assert_eq!(mode(&plain), mode(&whole));
-        let temporary = super::temporary_in(folder.path()).expect("a file");
+        let temporary = super::temporary_beside(&whole).expect("a file");
         assert_eq!(mode(&plain), mode(&temporary.path().to_owned()));
     }
 }

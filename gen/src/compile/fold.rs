@@ -1,11 +1,11 @@
 //! Constant folding and the identities that descriptions bring up.
 
 use super::graph::{Graph, Op, ValueId};
-use crate::netlist::{Operator, Reduction};
+use crate::netlist::{ones, Operator, Reduction};
 
 /// All bits of a width.
 pub(super) fn mask(width: u32) -> u128 {
-    u128::MAX >> (128 - width)
+    ones(width as usize)
 }
 
 /// A code as a signed number.

@@ -1,6 +1,6 @@
 //! Every wire is driven, once, on every path: undriven and doubly driven signals and latches are refused.
 
-use super::{Body, Module, Name, NetlistError, SignalKind, Statement, Target};
+use super::{ones, Body, Module, Name, NetlistError, SignalKind, Statement, Target};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Statement {
@@ -64,18 +64,13 @@ impl Statement {
     }
 }
 
-fn mask(at: usize, width: usize) -> u128 {
-    let ones = if width >= 128 { !0 } else { (1 << width) - 1 };
-    ones << at
-}
-
 /// The bits of `to` that these statements assign on every path.
 pub fn always_assigned(block: &[Statement], to: &Target, width: usize) -> u128 {
     let mut bits = 0;
     for s in block {
         bits |= match s {
             Statement::Assign { target, bits, .. } if target == to => {
-                bits.map_or(mask(0, width), |b| mask(b.at, b.width))
+                bits.map_or(ones(width), |b| ones(b.width) << b.at)
             }
             Statement::Assign { .. } => 0,
             Statement::If {
@@ -133,7 +128,7 @@ pub fn check(
     }
     for r in &m.registers {
         let target = Target::Register(r.name.clone());
-        let all = mask(0, r.format.width());
+        let all = ones(r.format.width());
         if held.contains(&r.name) {
             continue;
         }
@@ -183,7 +178,7 @@ pub fn check(
         if !times.contains_key(&target) {
             return error(format!("{what} has no driver"));
         }
-        if always_assigned(statements, &target, width) != mask(0, width) {
+        if always_assigned(statements, &target, width) != ones(width) {
             return error(format!(
                 "{what} is not assigned on every path: that would be a latch"
             ));

@@ -4,16 +4,9 @@
 //! description.
 
 use super::{
-    Body, Comparison, Expression, Module, Name, Node, Operator, Reduction, SignalKind, Statement,
+    ones, Body, Comparison, Expression, Module, Name, Node, Operator, Reduction, SignalKind,
+    Statement,
 };
-
-fn mask(width: usize) -> u128 {
-    if width >= 128 {
-        !0
-    } else {
-        (1 << width) - 1
-    }
-}
 
 /// A code as a number of its sign.
 fn number(code: u128, e: &Expression) -> i128 {
@@ -58,7 +51,7 @@ pub fn evaluate(e: &Expression, value: &impl Fn(&Name) -> Option<u128>) -> Optio
         Node::Reduce(how, a) => {
             let code = of(a)?;
             u128::from(match how {
-                Reduction::All => code == mask(a.width()),
+                Reduction::All => code == ones(a.width()),
                 Reduction::Any => code != 0,
                 Reduction::Parity => code.count_ones() % 2 == 1,
             })
@@ -94,7 +87,7 @@ pub fn evaluate(e: &Expression, value: &impl Fn(&Name) -> Option<u128>) -> Optio
             of(a)? & !bit_mask | set
         }
     };
-    Some(code & mask(e.width()))
+    Some(code & ones(e.width()))
 }
 
 struct Folding<'a> {

@@ -80,6 +80,14 @@ impl Format {
     }
 }
 
+/// The code whose low bits, this many of at most [`MAX_WIDTH`], are all set.
+pub(crate) fn ones(width: usize) -> u128 {
+    match width {
+        0 => 0,
+        _ => u128::MAX >> (MAX_WIDTH - width),
+    }
+}
+
 /// Bits that hold the numbers of so many names; rust-hdl's own rule.
 fn enumeration_width(variants: usize) -> usize {
     rust_hdl_core::bits::clog2(variants)

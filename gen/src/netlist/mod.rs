@@ -26,6 +26,7 @@ pub use flat::{
     check_hierarchy, elaborate, Driver, Flat, FlatMemory, FlatSignal, MemoryId, Process, SignalId,
 };
 pub use fold::evaluate;
+pub(crate) use format::ones;
 pub use format::{Format, MAX_WIDTH};
 pub use groups::groups;
 pub use lower::collect;

@@ -8,7 +8,7 @@
 
 use super::part::Part;
 use crate::netlist::{
-    Comparison, Expression, Format, Module, Name, Node, Operator, Reduction, SignalKind,
+    ones, Comparison, Expression, Format, Module, Name, Node, Operator, Reduction, SignalKind,
 };
 use std::collections::BTreeSet;
 
@@ -30,11 +30,6 @@ pub fn slice(name: &str, whole: usize, at: usize, width: usize) -> String {
         (at, 1) => format!("{name}[{at}]"),
         (at, w) => format!("{name}[{}:{at}]", at + w - 1),
     }
-}
-
-fn mask(at: usize, width: usize) -> u128 {
-    let ones = if width >= 128 { !0 } else { (1 << width) - 1 };
-    ones << at
 }
 
 /// Prints the expressions of one module.
@@ -110,7 +105,7 @@ impl<'a> Printer<'a> {
 
     pub(super) fn used(&mut self, name: &str, at: usize, width: usize) {
         if let Some(p) = self.parts.iter_mut().find(|p| p.name == name) {
-            p.used |= mask(at, width);
+            p.used |= ones(width) << at;
         }
     }
 
@@ -147,7 +142,7 @@ impl<'a> Printer<'a> {
                 ))
             }
             Node::Literal(code) => {
-                return literal(code >> at & mask(0, width), Format::Unsigned(width))
+                return literal(code >> at & ones(width), Format::Unsigned(width))
             }
             Node::Slice(a, below) => return self.slice(a, below + at, width),
             Node::Reformat(a) => return self.slice(a, at, width),

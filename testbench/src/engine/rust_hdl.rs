@@ -4,12 +4,11 @@ use super::{Engine, EngineError, Run, SignalMismatch, Wave};
 use crate::wave::CLOCK_PS;
 use rust_hdl_core::vcd_probe::{write_vcd_change, write_vcd_dump, write_vcd_header, VCDProbe};
 use shadegate_gen::vectors::{pack_outputs, Trace, FLAGS, PIXEL};
-use shadegate_gen::write::temporary_in;
+use shadegate_gen::write::temporary_beside;
 use shadegate_hdl::shade::device::CoreSimulator;
 use shadegate_hdl::shade::model::CoreOutputs;
 use std::fs::File;
 use std::io::BufWriter;
-use std::path::Path;
 use std::time::Instant;
 use tempfile::NamedTempFile;
 
@@ -53,12 +52,7 @@ struct Waveform {
 
 impl Waveform {
     fn begin(wave: &Wave, simulator: &CoreSimulator) -> std::io::Result<Self> {
-        let parent = wave
-            .file
-            .parent()
-            .filter(|p| !p.as_os_str().is_empty())
-            .unwrap_or(Path::new("."));
-        let file = temporary_in(parent)?;
+        let file = temporary_beside(&wave.file)?;
         let header = write_vcd_header(BufWriter::new(file.reopen()?), simulator.design());
         Ok(Self {
             probe: write_vcd_dump(header, simulator.design()),

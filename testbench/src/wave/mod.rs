@@ -13,10 +13,9 @@ use crate::engine::Wave;
 use pattern::chosen;
 use shadegate_gen::compile::{Signal, Simulator};
 use shadegate_gen::netlist::NetlistError;
-use shadegate_gen::write::temporary_in;
+use shadegate_gen::write::temporary_beside;
 use std::collections::HashMap;
 use std::io;
-use std::path::Path;
 use tempfile::NamedTempFile;
 use tree::Tree;
 
@@ -96,8 +95,7 @@ impl Waveform {
                 tree.add(name, format.width() as u32, record);
             }
         }
-        let parent = wave.file.parent().filter(|p| !p.as_os_str().is_empty());
-        let file = temporary_in(parent.unwrap_or(Path::new(".")))?;
+        let file = temporary_beside(&wave.file)?;
         let out = io::BufWriter::new(file.reopen()?);
         let ending = wave.file.extension();
         let sink: Box<dyn Sink> = if ending.is_some_and(|e| e.eq_ignore_ascii_case("fst")) {

@@ -9,7 +9,7 @@ use super::own_format::product_format;
 use super::scope::{Meaning, Scope};
 use crate::netlist::read::literal_code;
 use crate::netlist::{
-    Comparison, Expression, Format, NetlistError, Node, Operator, Reduction, MAX_WIDTH,
+    ones, Comparison, Expression, Format, NetlistError, Node, Operator, Reduction, MAX_WIDTH,
 };
 use rust_hdl_core::ast::{
     VerilogExpression as E, VerilogLiteral, VerilogOp as Op, VerilogOpUnary as Unary,
@@ -164,7 +164,7 @@ impl<'a> Lowering<'a> {
                 let made = self.word(inner, want, e)?;
                 let format = made.format;
                 if let (Unary::Neg, Node::Literal(code)) = (op, &made.node) {
-                    let code = code.wrapping_neg() & mask(format.width());
+                    let code = code.wrapping_neg() & ones(format.width());
                     return Ok(Expression::literal(code, format));
                 }
                 let node = match op {
@@ -294,13 +294,5 @@ impl<'a> Lowering<'a> {
             _ => Node::ShiftRight(word, amount),
         };
         Ok(Expression::new(format, node))
-    }
-}
-
-fn mask(width: usize) -> u128 {
-    if width >= 128 {
-        !0
-    } else {
-        (1 << width) - 1
     }
 }

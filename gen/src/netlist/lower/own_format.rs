@@ -25,21 +25,19 @@ impl Lowering<'_> {
         at: &E,
         width: usize,
     ) -> Result<Option<Format>, NetlistError> {
-        let Some(TypeKind::Composite(fields)) = self.descriptor(base)?.map(|d| d.kind) else {
+        let structure = self.descriptor(base)?;
+        let structure = structure.filter(|d| matches!(d.kind, TypeKind::Composite(_)));
+        let (Some(structure), E::Literal(l)) = (structure, peel(at)) else {
             return Ok(None);
         };
-        let E::Literal(l) = peel(at) else {
-            return Ok(None);
-        };
-        let mut offset = 0;
-        for f in fields {
-            let Some(format) = Format::from_descriptor(&f.kind) else {
-                break;
-            };
-            if literal(l) == Some((offset as u128, LITERAL_WIDTH)) && format.width() == width {
-                return Ok(Some(format));
+        // A field's place is a machine word; other positions are not meant as fields.
+        if let Some((at, LITERAL_WIDTH)) = literal(l) {
+            let field = usize::try_from(at)
+                .ok()
+                .and_then(|at| field_at(&structure, at, width));
+            if field.is_some() {
+                return Ok(field);
             }
-            offset += format.width();
         }
         Err(self.error("no field of the structure lies at these bits", base))
     }
@@ -128,4 +126,20 @@ pub fn product_format(a: Format, b: Format) -> Option<Format> {
         _ => return None,
     };
     (format.width() <= MAX_WIDTH).then_some(format)
+}
+
+/// The format of the field of a structure at these bits; `None` if it is no field.
+pub fn field_at(d: &TypeDescriptor, at: usize, width: usize) -> Option<Format> {
+    let TypeKind::Composite(fields) = &d.kind else {
+        return None;
+    };
+    let mut offset = 0;
+    for f in fields {
+        let format = Format::from_descriptor(&f.kind)?;
+        if offset == at && format.width() == width {
+            return Some(format);
+        }
+        offset += format.width();
+    }
+    None
 }

@@ -1,14 +1,14 @@
 //! Statements with their expressions typed; loops unrolled, `join` and `link` written as assignments.
 
-use super::expression::Lowering;
+use super::expression::{literal, Lowering};
+use super::own_format::field_at;
 use super::scope::{Driven, Meaning};
 use super::show;
 use crate::netlist::{Bits, Format, Name, NetlistError, Node, Statement, Target};
 use rust_hdl_core::ast::{
     VerilogBlock, VerilogBlockOrConditional as Else, VerilogConditional, VerilogExpression as E,
-    VerilogLoop, VerilogStatement as S,
+    VerilogLiteral, VerilogLoop, VerilogStatement as S,
 };
-use rust_hdl_core::type_descriptor::{TypeDescriptor, TypeKind};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Most statements that a module's loops may unroll to; beyond it a loop bound is a mistake.
@@ -28,8 +28,9 @@ pub struct Lowered {
     count: usize,
 }
 
-fn literal_usize(l: &rust_hdl_core::ast::VerilogLiteral) -> Option<u128> {
-    crate::netlist::read::literal_code(&format!("{l:x}"))
+/// The number of a literal.
+fn number(l: &VerilogLiteral) -> Option<u128> {
+    literal(l).map(|(value, _)| value)
 }
 
 impl Lowering<'_> {
@@ -110,7 +111,7 @@ impl Lowering<'_> {
         out: &mut Lowered,
         into: &mut Vec<Statement>,
     ) -> Result<(), NetlistError> {
-        let (Some(from), Some(to)) = (literal_usize(&l.from), literal_usize(&l.to)) else {
+        let (Some(from), Some(to)) = (number(&l.from), number(&l.to)) else {
             return Err(self.refuse("the bounds of a loop are constants", s));
         };
         for i in from..to {
@@ -206,7 +207,7 @@ impl Lowering<'_> {
         let Driven::Target(target, format, descriptor) = self.scope.driven(name)? else {
             return Err(self.refuse("a clock has no fields", s));
         };
-        let at = literal_usize(at)
+        let at = number(at)
             .and_then(|a| usize::try_from(a).ok())
             .unwrap_or(usize::MAX);
         if at.saturating_add(width) > format.width() {
@@ -215,7 +216,10 @@ impl Lowering<'_> {
                 s,
             ));
         }
-        let value = self.of_format(value, field_format(&descriptor, at, width))?;
+        let value = self.of_format(
+            value,
+            field_at(&descriptor, at, width).unwrap_or(Format::Unsigned(width)),
+        )?;
         Ok(Statement::Assign {
             target,
             bits: Some(Bits { at, width }),
@@ -243,21 +247,4 @@ impl Lowering<'_> {
             otherwise,
         })
     }
-}
-
-/// The format of the field of a structure at these bits; an unsigned word if it is no field.
-fn field_format(d: &TypeDescriptor, at: usize, width: usize) -> Format {
-    if let TypeKind::Composite(fields) = &d.kind {
-        let mut offset = 0;
-        for f in fields {
-            let Some(format) = Format::from_descriptor(&f.kind) else {
-                break;
-            };
-            if offset == at && format.width() == width {
-                return format;
-            }
-            offset += format.width();
-        }
-    }
-    Format::Unsigned(width)
 }
