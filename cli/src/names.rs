@@ -34,7 +34,7 @@ impl TypedValueParser for Offer {
 
 /// Shading methods of the software renderer.
 pub fn methods() -> Vec<&'static str> {
-    Method::ALL.map(Method::name).to_vec()
+    Method::NAMES.to_vec()
 }
 
 /// Names of the cores; the method that a core draws has the same name.

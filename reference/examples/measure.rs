@@ -30,7 +30,7 @@ fn main() {
         };
         let options = RenderOptions::default();
         let (truth, _) = render(&p, Method::Exact, &options);
-        for m in Method::ALL {
+        for m in Method::ALL.iter().copied() {
             let mut runs: Vec<_> = (0..5).map(|_| render(&p, m, &options)).collect();
             runs.sort_by_key(|r| r.1.setup_ns + r.1.raster_ns);
             let (frame, stats) = &runs[2];

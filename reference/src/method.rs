@@ -3,33 +3,45 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// How the colour of a pixel is found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Method {
-    /// Perspective-correct position and normal, normalised, and the full reflection model, for every pixel.
-    Exact,
-    /// One colour per triangle.
-    Flat,
-    /// Linear interpolation of three vertex colours (Gouraud 1971).
-    Gouraud,
-    /// Quadratic interpolation of six colours: vertices and mid-edges (Abbas 2003 ch. 7; Hast 2004 §3.3).
-    Quadratic,
+/// Declares the catalogue: one line for each method is all that names need.
+macro_rules! catalogue {
+    ($($variant:ident $name:literal $about:literal)*) => {
+        /// How the colour of a pixel is found.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Method {
+            $(#[doc = $about] $variant,)*
+        }
+
+        impl Method {
+            /// Every method, in the order of the catalogue.
+            pub const ALL: &'static [Self] = &[$(Self::$variant,)*];
+            /// Their names, in the same order.
+            pub const NAMES: &'static [&'static str] = &[$($name,)*];
+
+            /// The catalogue name.
+            #[must_use]
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name,)*
+                }
+            }
+
+            /// What it does, in one line.
+            #[must_use]
+            pub fn about(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $about,)*
+                }
+            }
+        }
+    };
 }
 
-impl Method {
-    /// Every method, in the order of the catalogue.
-    pub const ALL: [Self; 4] = [Self::Exact, Self::Flat, Self::Gouraud, Self::Quadratic];
-
-    /// The catalogue name.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Exact => "exact",
-            Self::Flat => "flat",
-            Self::Gouraud => "gouraud",
-            Self::Quadratic => "quadratic",
-        }
-    }
+catalogue! {
+    Exact "exact" "every pixel from the definition, in f64: the truth"
+    Flat "flat" "one colour per triangle (Bouknight 1970)"
+    Gouraud "gouraud" "linear interpolation of three vertex colours (Gouraud 1971)"
+    Quadratic "quadratic" "quadratic interpolation of six colours (Abbas 2003 ch. 7; Hast 2004 §3.3)"
 }
 
 impl fmt::Display for Method {
@@ -80,9 +92,10 @@ impl FromStr for Method {
 
     fn from_str(s: &str) -> Result<Self, UnknownName> {
         Self::ALL
-            .into_iter()
+            .iter()
+            .copied()
             .find(|m| m.name() == s)
-            .ok_or_else(|| UnknownName::new("method", s, &Self::ALL.map(Self::name)))
+            .ok_or_else(|| UnknownName::new("method", s, Self::NAMES))
     }
 }
 
@@ -92,7 +105,7 @@ mod tests {
 
     #[test]
     fn names_go_there_and_back() {
-        for m in Method::ALL {
+        for m in Method::ALL.iter().copied() {
             assert_eq!(m.to_string().parse(), Ok(m));
         }
     }
@@ -100,9 +113,10 @@ mod tests {
     #[test]
     fn an_unknown_name_is_answered_with_the_nearest() {
         let e = "quadratik".parse::<Method>().unwrap_err();
+        let list = Method::NAMES.join(", ");
         assert_eq!(
             e.to_string(),
-            "unknown method 'quadratik'; the nearest is 'quadratic' of exact, flat, gouraud, quadratic"
+            format!("unknown method 'quadratik'; the nearest is 'quadratic' of {list}")
         );
     }
 }

@@ -79,5 +79,40 @@ pub struct Prepared {
     pub(crate) surroundings: Surroundings,
 }
 
+impl Prepared {
+    /// Triangles that are on the screen already, as a benchmark or a test wants them: drawn in this order, nothing
+    /// culled, no vertex shared.
+    #[must_use]
+    pub fn from_triangles(
+        size: (u32, u32),
+        background: [u8; 3],
+        triangles: Vec<ScreenTriangle>,
+        surroundings: Surroundings,
+    ) -> Self {
+        let count = triangles.len() as u64;
+        Self {
+            scene_name: "triangles".to_owned(),
+            width: size.0,
+            height: size.1,
+            background,
+            counts: TriangleCounts {
+                in_: count,
+                drawn: count,
+                ..TriangleCounts::default()
+            },
+            skipped: BTreeMap::new(),
+            vertices: vec![[UNSHARED; 3]; triangles.len()],
+            triangles,
+            surroundings,
+        }
+    }
+
+    /// Lights, materials and viewer.
+    #[must_use]
+    pub fn surroundings(&self) -> &Surroundings {
+        &self.surroundings
+    }
+}
+
 /// The vertex number of a corner that belongs to one triangle only.
 pub(crate) const UNSHARED: u32 = u32::MAX;

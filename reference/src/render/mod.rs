@@ -1,26 +1,20 @@
 //! The software renderer: set-up per triangle, then bands of rows in parallel. The frame is the same for any number of
 //! threads.
 
-mod band;
+mod bands;
 mod frame;
-mod shared;
-pub mod span;
+mod scalar;
 
 pub use frame::{Frame, FrameError};
 
 use crate::geometry::Prepared;
 use crate::method::Method;
-use crate::raster::{Viewport, Walk};
-use crate::shade::{flat, to_byte};
+use crate::shade::shader::Shader;
+use crate::shade::{exact, flat, gouraud, quadratic};
 use crate::skips::{self, Skips};
-use band::{Band, Colour, Ready, Tally};
-use rayon::prelude::*;
-use span::Interpolant;
+use bands::Tally;
 use std::collections::BTreeMap;
 use std::time::Instant;
-
-/// Rows in a band.
-const BAND: usize = 16;
 
 /// How to draw.
 #[derive(Clone, Copy, Debug, Default)]
@@ -63,96 +57,58 @@ pub fn render(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, Render
     }
 }
 
-/// How the pixels of every triangle get their colour.
-fn colours(p: &Prepared, method: Method) -> Vec<Colour> {
-    let all = &p.triangles;
+/// One arm for each method of the catalogue.
+fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats) {
+    let start = Instant::now();
     match method {
-        Method::Exact => vec![Colour::Exact; all.len()],
-        Method::Flat => all
-            .par_iter()
-            .with_min_len(64)
-            .map(|t| Colour::Constant(flat::knot(p, t).map(to_byte)))
-            .collect(),
-        Method::Gouraud => shared::linear(p)
-            .iter()
-            .zip(all)
-            .map(|(k, t)| Colour::Differences(Interpolant::linear(t.position, k)))
-            .collect(),
-        Method::Quadratic => shared::square(p)
-            .iter()
-            .zip(all)
-            .map(|(k, t)| Colour::Differences(Interpolant::quadratic(t.position, k)))
-            .collect(),
+        Method::Exact => scalar::<f64, _>(p, &exact::Exact, o, start),
+        Method::Flat => scalar::<u16, _>(p, &flat::Flat, o, start),
+        Method::Gouraud => scalar::<u16, _>(p, &gouraud::Gouraud::new(p), o, start),
+        Method::Quadratic => scalar::<u16, _>(p, &quadratic::Quadratic::new(p), o, start),
     }
 }
 
-fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats) {
-    let start = Instant::now();
-    let viewport = Viewport {
-        width: p.width,
-        height: p.height,
-    };
-    let ready: Vec<Ready<'_>> = p
-        .triangles
-        .iter()
-        .zip(colours(p, method))
-        .filter_map(|(t, colour)| {
-            let walk = Walk::new(t.position, viewport)?;
-            Some(Ready {
-                triangle: t,
-                walk,
-                colour,
-            })
-        })
-        .collect();
-    // Which triangles touch which band, in drawing order.
-    let mut bins: Vec<Vec<usize>> = vec![Vec::new(); (p.height as usize).div_ceil(BAND)];
-    for (i, r) in ready.iter().enumerate() {
-        let first = r.walk.first_row as usize;
-        let last = first + r.walk.rows as usize - 1;
-        for bin in &mut bins[first / BAND..=last / BAND] {
-            bin.push(i);
-        }
-    }
+/// Draws pixel by pixel; `start` is when the method began to look at the scene.
+fn scalar<Z: scalar::DepthCell, S: Shader>(
+    p: &Prepared,
+    shader: &S,
+    o: &RenderOptions,
+    start: Instant,
+) -> (Frame, RenderStats) {
+    let ready = bands::ready(p, |i| shader.triangle(p, i));
+    let bins = bands::bin(&ready, p.height);
     let setup_ns = nanoseconds(start);
 
     let start = Instant::now();
     let mut frame = Frame::new(p.width, p.height, p.background);
     let skip_hidden = o.skips.is_on(skips::HIDDEN);
-    let tally = frame
-        .pixels
-        .par_chunks_mut(BAND * p.width as usize)
-        .zip(&bins)
-        .enumerate()
-        .map(|(k, (pixels, bin))| {
-            let mut band = Band {
-                prepared: p,
-                first_row: (k * BAND) as i32,
-                pixels,
-                skip_hidden,
-            };
-            let order = bin.iter().copied();
-            if method == Method::Exact {
-                band.draw::<f64>(order, &ready)
-            } else {
-                band.draw::<u16>(order, &ready)
-            }
-        })
-        .reduce(Tally::default, |a, b| a + b);
+    let tally = bands::each(&mut frame, &bins, |first_row, pixels, bin| {
+        let mut band = scalar::Band {
+            prepared: p,
+            shader,
+            first_row,
+            pixels,
+            skip_hidden,
+        };
+        band.draw::<Z>(bin, &ready)
+    });
+    (frame, stats(p, tally, setup_ns, nanoseconds(start)))
+}
+
+fn stats(p: &Prepared, tally: Tally, setup_ns: u64, raster_ns: u64) -> RenderStats {
     let mut skipped = p.skipped.clone();
     if tally.hidden > 0 {
-        skipped.insert(band::HIDDEN, tally.hidden);
+        skipped.insert(skips::HIDDEN, tally.hidden);
     }
-    let stats = RenderStats {
+    RenderStats {
         pixels_tested: tally.tested,
-        pixels_shaded: tally.shaded,
+        pixels_shaded: tally.tested - tally.hidden,
         pixels_written: tally.written,
         skipped,
         setup_ns,
-        raster_ns: nanoseconds(start),
+        raster_ns,
         threads: rayon::current_num_threads(),
-    };
-    (frame, stats)
+    }
 }
 
 fn nanoseconds(since: Instant) -> u64 {

@@ -68,7 +68,7 @@ pub(super) fn parse(path: &Path, text: &str) -> Result<Scene, SceneError> {
         ));
     }
     let method = match root.table("render", &["method"])? {
-        Some(t) => t.word("method", &Method::ALL.map(Method::name))?,
+        Some(t) => t.word("method", Method::NAMES)?,
         None => None,
     };
     Ok(Scene {

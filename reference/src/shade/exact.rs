@@ -2,8 +2,10 @@
 //! qᵢ = λᵢwᵢ / Σλw (w = 1/w; Heckbert 1989), the normal normalised, and the full reflection model with a true power.
 
 use super::barycentric::weights;
+use super::shader::{Run, Shader};
 use super::unit_normal;
 use crate::geometry::{Prepared, ScreenTriangle};
+use crate::raster::Span;
 
 /// RGB at the centre of pixel (`x`, `y`), LSB, not limited. Meant for pixels inside the triangle.
 #[must_use]
@@ -16,4 +18,43 @@ pub fn value(p: &Prepared, t: &ScreenTriangle, x: i32, y: i32) -> [f64; 3] {
     p.surroundings
         .shade(t.material, blend(t.world), unit_normal(t, blend(t.normal)))
         .to_array()
+}
+
+/// The method for the renderer: nothing is kept from pixel to pixel.
+pub struct Exact;
+
+/// The current pixel of a triangle.
+pub struct At<'a> {
+    prepared: &'a Prepared,
+    triangle: &'a ScreenTriangle,
+    x: i32,
+    y: i32,
+}
+
+impl Shader for Exact {
+    type Triangle = usize;
+    type Run<'a> = At<'a>;
+
+    fn triangle(&self, _: &Prepared, index: usize) -> usize {
+        index
+    }
+
+    fn start<'a>(&'a self, p: &'a Prepared, index: &'a usize, span: Span) -> At<'a> {
+        At {
+            prepared: p,
+            triangle: &p.triangles[*index],
+            x: span.start,
+            y: span.y,
+        }
+    }
+}
+
+impl Run for At<'_> {
+    fn colour(&self) -> [f64; 3] {
+        value(self.prepared, self.triangle, self.x, self.y)
+    }
+
+    fn step(&mut self) {
+        self.x += 1;
+    }
 }

@@ -1,10 +1,28 @@
 //! One colour per triangle: the full model at the centroid with the normal of the face (Bouknight 1970).
 
+use super::shader::{Constant, Shader};
 use crate::geometry::{Prepared, ScreenTriangle};
+use crate::raster::Span;
 
 /// The colour of a triangle, LSB, 0..=[`super::KNOT_MAX`].
 #[must_use]
 pub fn knot(p: &Prepared, t: &ScreenTriangle) -> [f64; 3] {
     let centroid = (t.world[0] + t.world[1] + t.world[2]) / 3.0;
     super::knot(p.surroundings.shade(t.material, centroid, t.face_normal()))
+}
+
+/// The method for the renderer.
+pub struct Flat;
+
+impl Shader for Flat {
+    type Triangle = [f64; 3];
+    type Run<'a> = Constant;
+
+    fn triangle(&self, p: &Prepared, index: usize) -> [f64; 3] {
+        knot(p, &p.triangles[index])
+    }
+
+    fn start<'a>(&'a self, _: &'a Prepared, colour: &'a [f64; 3], _: Span) -> Constant {
+        Constant(*colour)
+    }
 }

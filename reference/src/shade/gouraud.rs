@@ -1,9 +1,11 @@
 //! Linear interpolation of vertex colours on the screen (Gouraud 1971): I = Σ λᵢ·Iᵢ.
 
 use super::barycentric::weights;
-use super::unit_normal;
+use super::differences::{Differences, Interpolant};
+use super::shader::Shader;
+use super::{shared, unit_normal};
 use crate::geometry::{Prepared, ScreenTriangle};
-use crate::raster::Point;
+use crate::raster::{Point, Span};
 
 /// RGB at the three vertices, LSB, 0..=[`super::KNOT_MAX`].
 #[must_use]
@@ -24,4 +26,32 @@ pub(crate) fn vertex(p: &Prepared, t: &ScreenTriangle, i: usize) -> [f64; 3] {
 pub fn value(position: &[Point; 3], knots: &[[f64; 3]; 3], x: i32, y: i32) -> [f64; 3] {
     let w = weights(position, x, y);
     [0, 1, 2].map(|c| (0..3).map(|i| w[i] * knots[i][c]).sum())
+}
+
+/// The method for the renderer: knots shared between triangles, then forward differences.
+pub struct Gouraud {
+    knots: Vec<[[f64; 3]; 3]>,
+}
+
+impl Gouraud {
+    /// Shades every knot of a scene once.
+    #[must_use]
+    pub fn new(p: &Prepared) -> Self {
+        Self {
+            knots: shared::linear(p),
+        }
+    }
+}
+
+impl Shader for Gouraud {
+    type Triangle = Interpolant;
+    type Run<'a> = Differences;
+
+    fn triangle(&self, p: &Prepared, index: usize) -> Interpolant {
+        Interpolant::linear(p.triangles[index].position, &self.knots[index])
+    }
+
+    fn start<'a>(&'a self, _: &'a Prepared, i: &'a Interpolant, span: Span) -> Differences {
+        i.start(span.start, span.y)
+    }
 }

@@ -2,7 +2,7 @@
 //! (Blinn 1977, eq. for the half-way vector), per channel, times 255. The highlight is not switched off where N·L is
 //! negative. Where L = −V there is no half-way vector and no highlight. Point lights do not fall off.
 
-use crate::scene::{Brdf, Light, LightKind, Material, Projection, Scene};
+use crate::scene::{Brdf, Camera, Light, LightKind, Material, Projection, Scene};
 use glam::DVec3;
 
 /// Lights, materials and viewer: all that shading needs besides a position and a normal.
@@ -11,6 +11,15 @@ pub struct Surroundings {
     lights: Vec<Light>,
     materials: Vec<Material>,
     viewer: Viewer,
+}
+
+/// Light that arrives at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Incident {
+    /// Unit vector from the point towards the light; zero where the light lies in the point.
+    pub direction: DVec3,
+    /// RGB times intensity at the point, fractions of full scale.
+    pub colour: DVec3,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -25,10 +34,15 @@ impl Surroundings {
     /// Takes what is needed from a scene. The viewer of an orthographic camera is infinitely far.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
-        let camera = &scene.camera;
+        Self::of(scene.lights.clone(), scene.materials.clone(), &scene.camera)
+    }
+
+    /// Surroundings without a scene.
+    #[must_use]
+    pub fn of(lights: Vec<Light>, materials: Vec<Material>, camera: &Camera) -> Self {
         Self {
-            lights: scene.lights.clone(),
-            materials: scene.materials.clone(),
+            lights,
+            materials,
             viewer: match camera.projection {
                 Projection::Orthographic { .. } => {
                     Viewer::Direction((camera.eye - camera.target).normalize())
@@ -38,21 +52,57 @@ impl Surroundings {
         }
     }
 
+    /// A material by its index.
+    #[must_use]
+    pub fn material(&self, index: usize) -> &Material {
+        &self.materials[index]
+    }
+
+    /// How many lights there are.
+    #[must_use]
+    pub fn lights(&self) -> usize {
+        self.lights.len()
+    }
+
+    /// The unit vector from a point towards the viewer; zero in the eye itself.
+    #[must_use]
+    pub fn view(&self, position: DVec3) -> DVec3 {
+        match self.viewer {
+            Viewer::Direction(v) => v,
+            Viewer::Position(eye) => (eye - position).normalize_or_zero(),
+        }
+    }
+
+    /// What light `k` sends to a point.
+    #[must_use]
+    pub fn incident(&self, k: usize, position: DVec3) -> Incident {
+        let light = &self.lights[k];
+        Incident {
+            direction: match light.kind {
+                LightKind::Directional { direction } => -direction,
+                LightKind::Point { position: p } => (p - position).normalize_or_zero(),
+            },
+            colour: light.colour,
+        }
+    }
+
+    /// Whether light `k` and the viewer are infinitely far, so that L, V and H are the same everywhere.
+    #[must_use]
+    pub fn is_constant(&self, k: usize) -> bool {
+        matches!(self.lights[k].kind, LightKind::Directional { .. })
+            && matches!(self.viewer, Viewer::Direction(_))
+    }
+
     /// The colour in LSB of a point with a unit normal.
     #[must_use]
     pub fn shade(&self, material: usize, position: DVec3, normal: DVec3) -> DVec3 {
         let m = &self.materials[material];
-        let view = match self.viewer {
-            Viewer::Direction(v) => v,
-            Viewer::Position(eye) => (eye - position).normalize_or_zero(),
-        };
+        let view = self.view(position);
         let shiny = m.brdf == Brdf::Blinn && m.specular != DVec3::ZERO;
         let mut sum = m.ambient;
-        for light in &self.lights {
-            let l = match light.kind {
-                LightKind::Directional { direction } => -direction,
-                LightKind::Point { position: p } => (p - position).normalize_or_zero(),
-            };
+        for k in 0..self.lights.len() {
+            let light = self.incident(k, position);
+            let l = light.direction;
             let mut reflected = m.diffuse * normal.dot(l).max(0.0);
             let half = l + view;
             if shiny && half.length_squared() > 1e-24 {

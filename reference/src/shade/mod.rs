@@ -2,11 +2,15 @@
 //! Colours are real numbers in units of one 255th of full scale (LSB), not limited above unless said so.
 
 pub mod barycentric;
+pub mod corners;
+pub mod differences;
 pub mod exact;
 pub mod flat;
 pub mod gouraud;
 pub mod light;
 pub mod quadratic;
+pub mod shader;
+mod shared;
 
 pub use light::Surroundings;
 
@@ -32,7 +36,7 @@ fn knot(colour: DVec3) -> [f64; 3] {
 const CANCELLED: f64 = 1e-16;
 
 /// The unit vector of a blended normal; the normal of the face when opposite normals cancelled.
-fn unit_normal(t: &ScreenTriangle, n: DVec3) -> DVec3 {
+pub(crate) fn unit_normal(t: &ScreenTriangle, n: DVec3) -> DVec3 {
     if n.length_squared() > CANCELLED {
         n.normalize()
     } else {

@@ -5,9 +5,11 @@
 //! wᵢ/(wᵢ + wⱼ) with w = 1/w; the formula is symmetric in i and j, so both triangles at an edge get the same bits.
 
 use super::barycentric::weights;
-use super::{gouraud, unit_normal};
+use super::differences::{Differences, Interpolant};
+use super::shader::Shader;
+use super::{gouraud, shared, unit_normal};
 use crate::geometry::{Prepared, ScreenTriangle};
-use crate::raster::Point;
+use crate::raster::{Point, Span};
 
 /// The vertices at the ends of each mid-edge knot.
 pub const EDGES: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
@@ -61,6 +63,34 @@ pub fn value(position: &[Point; 3], knots: &[[f64; 3]; 6], x: i32, y: i32) -> [f
         4.0 * w[1] * w[2],
     ];
     [0, 1, 2].map(|c| (0..6).map(|k| basis[k] * knots[k][c]).sum())
+}
+
+/// The method for the renderer: knots shared between triangles, then forward differences.
+pub struct Quadratic {
+    knots: Vec<[[f64; 3]; 6]>,
+}
+
+impl Quadratic {
+    /// Shades every knot of a scene once.
+    #[must_use]
+    pub fn new(p: &Prepared) -> Self {
+        Self {
+            knots: shared::square(p),
+        }
+    }
+}
+
+impl Shader for Quadratic {
+    type Triangle = Interpolant;
+    type Run<'a> = Differences;
+
+    fn triangle(&self, p: &Prepared, index: usize) -> Interpolant {
+        Interpolant::quadratic(p.triangles[index].position, &self.knots[index])
+    }
+
+    fn start<'a>(&'a self, _: &'a Prepared, i: &'a Interpolant, span: Span) -> Differences {
+        i.start(span.start, span.y)
+    }
 }
 
 #[cfg(test)]

@@ -103,13 +103,13 @@ fn vertices(p: &Prepared) -> Table {
 }
 
 /// [`gouraud::knots`] of every triangle.
-pub(super) fn linear(p: &Prepared) -> Vec<[[f64; 3]; 3]> {
+pub(crate) fn linear(p: &Prepared) -> Vec<[[f64; 3]; 3]> {
     let v = vertices(p);
     (0..p.triangles.len()).map(|t| v.of(t)).collect()
 }
 
 /// [`quadratic::knots`] of every triangle.
-pub(super) fn square(p: &Prepared) -> Vec<[[f64; 3]; 6]> {
+pub(crate) fn square(p: &Prepared) -> Vec<[[f64; 3]; 6]> {
     let v = vertices(p);
     let number = |t: usize, i: usize| p.vertices.get(t).map(|v| v[i]).filter(|n| *n != UNSHARED);
     let e = table(

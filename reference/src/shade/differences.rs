@@ -12,6 +12,7 @@
 
 use crate::raster::Point;
 use crate::shade::barycentric::{steps, weights};
+use crate::shade::shader::Run;
 
 /// What a triangle's linear or quadratic colour needs per span.
 #[derive(Clone, Copy, Debug)]
@@ -42,9 +43,12 @@ pub struct Differences {
     pub d2r: [f64; 3],
 }
 
-impl Differences {
-    /// Moves one pixel to the right.
-    pub fn step(&mut self) {
+impl Run for Differences {
+    fn colour(&self) -> [f64; 3] {
+        self.r
+    }
+
+    fn step(&mut self) {
         for c in 0..3 {
             self.r[c] += self.dr[c];
             self.dr[c] += self.d2r[c];
