@@ -5,6 +5,7 @@ pub mod depth;
 pub mod geometry;
 pub mod mesh;
 pub mod method;
+mod parallel;
 pub mod raster;
 pub mod render;
 pub mod scene;

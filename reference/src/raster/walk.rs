@@ -44,6 +44,20 @@ impl EdgeDda {
         self.error += if carry { self.down } else { self.up };
     }
 
+    /// Moves `rows` rows at once. With dy = up − down and r = error + dy − up in 0..dy, the carries of k steps are
+    /// floor((r + k·up) / dy).
+    fn advance(&mut self, rows: u32) {
+        let dy = i64::from(self.up) - i64::from(self.down);
+        if dy == 0 {
+            return;
+        }
+        let k = i64::from(rows);
+        let sum = i64::from(self.error) + dy - i64::from(self.up) + k * i64::from(self.up);
+        let columns = k * i64::from(self.whole) + sum.div_euclid(dy);
+        self.column = self.column.wrapping_add(columns as i32);
+        self.error = (sum.rem_euclid(dy) - dy + i64::from(self.up)) as i32;
+    }
+
     /// The edge from `a` (upper) to `b` (lower) at pixel row `row`; `rows` is how many rows will be visited.
     fn new(a: Point, b: Point, row: i32, rows: u32, mirrored: bool) -> Self {
         let (ax, ay) = (i64::from(a.x), i64::from(a.y));
@@ -176,6 +190,55 @@ impl Walk {
         })
     }
 
+    /// The walk from row `row` on; the same state as after stepping there row by row.
+    fn from_row(&self, row: i32) -> Self {
+        let skipped = (row - self.first_row).max(0) as u32;
+        if skipped == 0 {
+            return *self;
+        }
+        let mut to = *self;
+        to.first_row = row;
+        to.rows = self.rows.saturating_sub(skipped);
+        to.major.advance(skipped);
+        if skipped < self.upper_rows {
+            to.minor[0].advance(skipped);
+        } else {
+            to.minor[1].advance(skipped - self.upper_rows);
+        }
+        to.upper_rows = self.upper_rows.saturating_sub(skipped);
+        to
+    }
+
+    /// The spans of rows `from..to`, as [`Walk::spans`] gives them, without visiting the rows before.
+    pub fn spans_within(&self, width: u32, from: i32, to: i32) -> impl Iterator<Item = Span> {
+        let width = i32::try_from(width).unwrap_or(i32::MAX);
+        let mut walk = self.from_row(from);
+        let rows = (to - walk.first_row).clamp(0, walk.rows as i32);
+        let mut left = walk.upper_rows;
+        let mut minor = walk.minor[usize::from(left == 0)];
+        (0..rows).filter_map(move |k| {
+            let (first, last) = (walk.major.column, minor.column);
+            walk.major.step();
+            left = left.wrapping_sub(1);
+            if left == 0 {
+                minor = walk.minor[1];
+            } else {
+                minor.step();
+            }
+            let (start, end) = if walk.mirrored {
+                (-last, -first)
+            } else {
+                (first, last)
+            };
+            let (start, end) = (start.max(0), end.min(width));
+            (start < end).then_some(Span {
+                y: walk.first_row + k,
+                start,
+                end,
+            })
+        })
+    }
+
     /// The non-empty spans on the screen, rows downwards, limited to columns `0..width`.
     pub fn spans(&self, width: u32) -> impl Iterator<Item = Span> + '_ {
         let width = i32::try_from(width).unwrap_or(i32::MAX);
@@ -220,6 +283,20 @@ mod tests {
         }
     }
 
+    fn check_parts(p: [Point; 3], from: i32, to: i32) -> Result<(), TestCaseError> {
+        let viewport = Viewport {
+            width: 400,
+            height: 300,
+        };
+        if let Some(walk) = Walk::new(p, viewport) {
+            let some: Vec<Span> = walk.spans_within(400, from, to).collect();
+            let rows = from..to;
+            let all: Vec<Span> = walk.spans(400).filter(|s| rows.contains(&s.y)).collect();
+            prop_assert_eq!(some, all);
+        }
+        Ok(())
+    }
+
     fn point(limit: i32) -> impl Strategy<Value = Point> {
         (-limit..limit, -limit..limit).prop_map(|(x, y)| Point { x, y })
     }
@@ -229,6 +306,13 @@ mod tests {
         #[test]
         fn the_walk_covers_what_the_rule_says(a in point(6000), b in point(6000), c in point(6000)) {
             check_against_the_oracle([a, b, c], 20, 16);
+        }
+
+        #[test]
+        fn a_part_of_the_rows_is_a_part_of_the_spans(
+            a in point(90_000), b in point(90_000), c in point(90_000), from in 0..300, rows in 0..40,
+        ) {
+            check_parts([a, b, c], from, from + rows)?;
         }
 
         #[test]

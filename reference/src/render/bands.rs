@@ -3,8 +3,8 @@
 
 use super::Frame;
 use crate::geometry::Prepared;
+use crate::parallel;
 use crate::raster::{Viewport, Walk};
-use rayon::prelude::*;
 
 /// Rows in a band.
 pub(super) const BAND: usize = 16;
@@ -43,7 +43,10 @@ impl std::ops::Add for Tally {
 }
 
 /// The triangles that cross a row, set up.
-pub(super) fn ready<T: Send>(p: &Prepared, setup: impl Fn(usize) -> T + Sync) -> Vec<Ready<T>> {
+pub(super) fn ready<T: Send>(
+    p: &Prepared,
+    setup: impl Fn(usize) -> T + Sync + Send,
+) -> Vec<Ready<T>> {
     let viewport = Viewport {
         width: p.width,
         height: p.height,
@@ -55,11 +58,8 @@ pub(super) fn ready<T: Send>(p: &Prepared, setup: impl Fn(usize) -> T + Sync) ->
             setup: setup(index),
         })
     };
-    (0..p.triangles.len())
-        .into_par_iter()
-        .with_min_len(64)
-        .filter_map(one)
-        .collect()
+    let all = parallel::map(p.triangles.len(), one);
+    all.into_iter().flatten().collect()
 }
 
 /// Which triangles touch which band, in drawing order.
@@ -79,14 +79,13 @@ pub(super) fn bin<T>(ready: &[Ready<T>], height: u32) -> Vec<Vec<u32>> {
 pub(super) fn each(
     frame: &mut Frame,
     bins: &[Vec<u32>],
-    draw: impl Fn(i32, &mut [[u8; 3]], &[u32]) -> Tally + Sync,
+    draw: impl Fn(i32, &mut [[u8; 3]], &[u32]) -> Tally + Sync + Send,
 ) -> Tally {
     let width = frame.width as usize;
-    frame
-        .pixels
-        .par_chunks_mut(BAND * width)
-        .zip(bins)
-        .enumerate()
-        .map(|(k, (pixels, bin))| draw((k * BAND) as i32, pixels, bin))
-        .reduce(Tally::default, |a, b| a + b)
+    parallel::chunks(
+        &mut frame.pixels,
+        BAND * width,
+        || (),
+        |(), k, pixels| draw((k * BAND) as i32, pixels, &bins[k]),
+    )
 }

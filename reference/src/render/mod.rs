@@ -3,16 +3,19 @@
 
 mod bands;
 mod frame;
+mod lanes;
 mod scalar;
 
 pub use frame::{Frame, FrameError};
 
 use crate::geometry::Prepared;
 use crate::method::Method;
+use crate::parallel;
 use crate::shade::shader::Shader;
-use crate::shade::{exact, flat, gouraud, quadratic};
+use crate::shade::{exact, flat, gouraud, quadratic, shared};
 use crate::skips::{self, Skips};
 use bands::Tally;
+use lanes::Paint;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -23,6 +26,21 @@ pub struct RenderOptions {
     pub threads: Option<usize>,
     /// Skips per pixel (`hidden`). Those per triangle were decided when the scene was prepared.
     pub skips: Skips,
+    /// How many pixels are drawn at a time, for methods that can draw several.
+    pub vectors: Vectors,
+}
+
+/// Vector registers to use. The frame is the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Vectors {
+    /// The widest that the processor has.
+    #[default]
+    Widest,
+    /// Those that every processor of its kind has.
+    Baseline,
+    /// None: pixel by pixel, as the methods of the papers are drawn; for comparisons between methods. Colours then are real
+    /// numbers to the end and may round differently in rare pixels.
+    None,
 }
 
 /// What drawing took.
@@ -47,25 +65,56 @@ pub struct RenderStats {
 /// Draws a prepared scene.
 #[must_use]
 pub fn render(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats) {
-    let own = o
-        .threads
-        .filter(|n| *n > 0)
-        .and_then(|n| rayon::ThreadPoolBuilder::new().num_threads(n).build().ok());
-    match own {
-        Some(pool) => pool.install(|| draw(p, method, o)),
-        None => draw(p, method, o),
-    }
+    parallel::with(o.threads, || draw(p, method, o))
 }
 
 /// One arm for each method of the catalogue.
 fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats) {
     let start = Instant::now();
+    if o.vectors != Vectors::None {
+        match method {
+            Method::Flat => {
+                let colours = parallel::map(p.triangles.len(), |i| flat::knot(p, &p.triangles[i]));
+                return vectors(p, o, start, |i| Paint::Constant(colours[i]));
+            }
+            Method::Gouraud => {
+                let knots = shared::vertices(p);
+                return vectors(p, o, start, |i| Paint::Linear(knots.of(i)));
+            }
+            Method::Quadratic => {
+                let knots = shared::Six::new(p);
+                return vectors(p, o, start, |i| Paint::Quadratic(knots.of(i)));
+            }
+            _ => {}
+        }
+    }
     match method {
         Method::Exact => scalar::<f64, _>(p, &exact::Exact, o, start),
         Method::Flat => scalar::<u16, _>(p, &flat::Flat, o, start),
         Method::Gouraud => scalar::<u16, _>(p, &gouraud::Gouraud::new(p), o, start),
         Method::Quadratic => scalar::<u16, _>(p, &quadratic::Quadratic::new(p), o, start),
     }
+}
+
+/// Draws eight pixels at a time; `start` is when the method began to look at the scene.
+fn vectors(
+    p: &Prepared,
+    o: &RenderOptions,
+    start: Instant,
+    paint: impl Fn(usize) -> Paint + Sync + Send,
+) -> (Frame, RenderStats) {
+    let setup_ns = nanoseconds(start);
+    let start = Instant::now();
+    let level = match o.vectors {
+        Vectors::Baseline => fearless_simd::Level::baseline(),
+        _ => fearless_simd::Level::new(),
+    };
+    let skip_hidden = o.skips.is_on(skips::HIDDEN);
+    let (frame, mut tally) = lanes::draw(p, level, skip_hidden, paint);
+    if skip_hidden {
+        tally.hidden = tally.tested - tally.written;
+    }
+    (frame, stats(p, tally, setup_ns, nanoseconds(start)))
 }
 
 /// Draws pixel by pixel; `start` is when the method began to look at the scene.
@@ -107,7 +156,7 @@ fn stats(p: &Prepared, tally: Tally, setup_ns: u64, raster_ns: u64) -> RenderSta
         skipped,
         setup_ns,
         raster_ns,
-        threads: rayon::current_num_threads(),
+        threads: parallel::threads(),
     }
 }
 

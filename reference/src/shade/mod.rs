@@ -10,7 +10,7 @@ pub mod gouraud;
 pub mod light;
 pub mod quadratic;
 pub mod shader;
-mod shared;
+pub(crate) mod shared;
 
 pub use light::Surroundings;
 

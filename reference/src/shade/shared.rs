@@ -3,9 +3,9 @@
 //! without sharing, because what decides them is compared before one is taken over.
 
 use crate::geometry::{Prepared, ScreenTriangle, UNSHARED};
+use crate::parallel;
 use crate::shade::quadratic::EDGES;
 use crate::shade::{gouraud, quadratic};
-use rayon::prelude::*;
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
@@ -34,7 +34,7 @@ impl Hasher for Pair {
 }
 
 /// Knots by slot, and the slot of every corner or edge of every triangle.
-struct Table {
+pub(crate) struct Table {
     slots: Vec<[u32; 3]>,
     knots: Vec<[f64; 3]>,
 }
@@ -59,7 +59,7 @@ fn table(
     p: &Prepared,
     key: impl Fn(usize, usize) -> Option<u64>,
     same: impl Fn(Place, Place) -> bool,
-    shade: impl Fn(Place) -> [f64; 3] + Sync,
+    shade: impl Fn(Place) -> [f64; 3] + Sync + Send,
 ) -> Table {
     let mut places: Vec<Place> = Vec::new();
     let mut seen: HashMap<u64, u32, BuildHasherDefault<Pair>> =
@@ -78,21 +78,19 @@ fn table(
             new
         }));
     }
-    let knots = places
-        .par_iter()
-        .with_min_len(64)
-        .map(|place| shade(*place))
-        .collect();
+    let knots = parallel::map(places.len(), |i| shade(places[i]));
     Table { slots, knots }
 }
 
 impl Table {
-    fn of(&self, t: usize) -> [[f64; 3]; 3] {
+    /// The knots of triangle `t`.
+    pub(crate) fn of(&self, t: usize) -> [[f64; 3]; 3] {
         self.slots[t].map(|s| self.knots[s as usize])
     }
 }
 
-fn vertices(p: &Prepared) -> Table {
+/// Vertex knots.
+pub(crate) fn vertices(p: &Prepared) -> Table {
     let number = |t: usize, i: usize| p.vertices.get(t).map(|v| v[i]).filter(|n| *n != UNSHARED);
     table(
         p,
@@ -108,11 +106,37 @@ pub(crate) fn linear(p: &Prepared) -> Vec<[[f64; 3]; 3]> {
     (0..p.triangles.len()).map(|t| v.of(t)).collect()
 }
 
+/// Vertex and mid-edge knots.
+pub(crate) struct Six {
+    vertices: Table,
+    edges: Table,
+}
+
+impl Six {
+    /// Shades every knot once.
+    pub(crate) fn new(p: &Prepared) -> Self {
+        Self {
+            vertices: vertices(p),
+            edges: edges(p),
+        }
+    }
+
+    /// The knots of triangle `t`.
+    pub(crate) fn of(&self, t: usize) -> [[f64; 3]; 6] {
+        let ([a, b, c], [d, e, f]) = (self.vertices.of(t), self.edges.of(t));
+        [a, b, c, d, e, f]
+    }
+}
+
 /// [`quadratic::knots`] of every triangle.
 pub(crate) fn square(p: &Prepared) -> Vec<[[f64; 3]; 6]> {
-    let v = vertices(p);
+    let six = Six::new(p);
+    (0..p.triangles.len()).map(|t| six.of(t)).collect()
+}
+
+fn edges(p: &Prepared) -> Table {
     let number = |t: usize, i: usize| p.vertices.get(t).map(|v| v[i]).filter(|n| *n != UNSHARED);
-    let e = table(
+    table(
         p,
         |t, k| {
             let (a, b) = (number(t, EDGES[k].0)?, number(t, EDGES[k].1)?);
@@ -120,13 +144,7 @@ pub(crate) fn square(p: &Prepared) -> Vec<[[f64; 3]; 6]> {
         },
         |(t, k), (u, m)| same_edge(&p.triangles[t], k, &p.triangles[u], m),
         |(t, k)| quadratic::middle(p, &p.triangles[t], k),
-    );
-    (0..p.triangles.len())
-        .map(|t| {
-            let ([a, b, c], [d, e, f]) = (v.of(t), e.of(t));
-            [a, b, c, d, e, f]
-        })
-        .collect()
+    )
 }
 
 #[cfg(test)]

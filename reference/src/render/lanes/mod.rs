@@ -1,0 +1,179 @@
+//! The fast way to draw: eight pixels at a time, for the methods whose colour is a polynomial on the screen. Arithmetic
+//! is the same for every width of vector registers and every number of threads, so frames are the same bytes.
+
+mod band;
+mod cover;
+mod fixed;
+mod kernel;
+mod pack;
+mod patch;
+
+use super::bands::{Tally, BAND};
+use super::Frame;
+use crate::geometry::Prepared;
+use crate::parallel;
+use crate::raster::{Viewport, SUBPIXELS};
+use crate::shade::to_byte;
+use band::{Band, Memory};
+use fearless_simd::{dispatch, prelude::*, u32x8, Level, Simd};
+use kernel::{Constant, Linear, Quadratic};
+use patch::Patch;
+
+/// What a triangle is painted with.
+pub(crate) enum Paint {
+    /// One colour, LSB.
+    Constant([f64; 3]),
+    /// Linear between the colours of the vertices.
+    Linear([[f64; 3]; 3]),
+    /// Quadratic through vertices 0, 1, 2 and mid-edges 01, 02, 12.
+    Quadratic([[f64; 3]; 6]),
+}
+
+/// Draws every triangle with the paint that `paint` gives it.
+pub(super) fn draw(
+    p: &Prepared,
+    level: Level,
+    skip_hidden: bool,
+    paint: impl Fn(usize) -> Paint + Sync + Send,
+) -> (Frame, Tally) {
+    let bins = Bins::new(p);
+    let mut frame = Frame::new(p.width, p.height, p.background);
+    let viewport = Viewport {
+        width: p.width,
+        height: p.height,
+    };
+    let width = p.width as usize;
+    let background = pack::word(p.background);
+    let tally = parallel::chunks(
+        &mut frame.pixels,
+        BAND * width,
+        Memory::default,
+        |memory, k, pixels| {
+            let rows = pixels.len() / width;
+            let mut band = Band::new(memory, viewport, (k * BAND) as i32, rows, background);
+            band.skip_hidden = skip_hidden;
+            dispatch!(level, simd => triangles(simd, p, &mut band, bins.of(k), &paint));
+            for (row, out) in band.rows().zip(pixels.chunks_exact_mut(width)) {
+                dispatch!(level, simd => pack::row(simd, row, out));
+            }
+            band.tally
+        },
+    );
+    (frame, tally)
+}
+
+#[inline(always)]
+fn triangles<S: Simd>(
+    simd: S,
+    p: &Prepared,
+    band: &mut Band<'_>,
+    bin: &[u32],
+    paint: &impl Fn(usize) -> Paint,
+) {
+    for i in bin {
+        let i = *i as usize;
+        let t = &p.triangles[i];
+        let patch = Patch::new(t.position);
+        match paint(i) {
+            Paint::Constant(c) => {
+                let c = u32x8::splat(simd, pack::word(c.map(to_byte)));
+                band.triangle(simd, t, &patch, &Constant(c));
+            }
+            Paint::Linear(knots) => {
+                if knots.iter().flatten().all(|k| *k <= 255.0) {
+                    band.triangle(
+                        simd,
+                        t,
+                        &patch,
+                        &Linear::<S, false>::new(simd, &patch, &knots),
+                    );
+                } else {
+                    band.triangle(
+                        simd,
+                        t,
+                        &patch,
+                        &Linear::<S, true>::new(simd, &patch, &knots),
+                    );
+                }
+            }
+            Paint::Quadratic(knots) => {
+                if stays_in_range(&knots) {
+                    band.triangle(
+                        simd,
+                        t,
+                        &patch,
+                        &Quadratic::<S, false>::new(simd, &patch, &knots),
+                    );
+                } else {
+                    band.triangle(
+                        simd,
+                        t,
+                        &patch,
+                        &Quadratic::<S, true>::new(simd, &patch, &knots),
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// Whether a quadratic stays within 0..=255 on its triangle: its Bernstein coefficients do, of which every value there is a
+/// mean.
+#[inline(always)]
+fn stays_in_range(k: &[[f64; 3]; 6]) -> bool {
+    (0..3).all(|c| {
+        let ok = |v: f64| (0.0..=255.0).contains(&v);
+        let control = |m: usize, i: usize, j: usize| 2.0 * k[m][c] - 0.5 * (k[i][c] + k[j][c]);
+        ok(k[0][c])
+            && ok(k[1][c])
+            && ok(k[2][c])
+            && ok(control(3, 0, 1))
+            && ok(control(4, 0, 2))
+            && ok(control(5, 1, 2))
+    })
+}
+
+/// Which triangles touch which band, in drawing order: one list of numbers, and where each band's begins.
+struct Bins {
+    start: Vec<u32>,
+    triangles: Vec<u32>,
+}
+
+impl Bins {
+    fn new(p: &Prepared) -> Self {
+        let bands = (p.height as usize).div_ceil(BAND);
+        let last_row = p.height as i32 - 1;
+        let rows = |t: &crate::ScreenTriangle| {
+            let y = t.position.map(|q| q.y);
+            let (top, bottom) = (y[0].min(y[1]).min(y[2]), y[0].max(y[1]).max(y[2]));
+            let first = ((top + SUBPIXELS / 2 - 1) >> crate::raster::SUBPIXEL_BITS).max(0);
+            let last = ((bottom - SUBPIXELS / 2) >> crate::raster::SUBPIXEL_BITS).min(last_row);
+            (first <= last).then(|| (first as usize / BAND, last as usize / BAND))
+        };
+        let mut start = vec![0u32; bands + 1];
+        for t in &p.triangles {
+            if let Some((a, b)) = rows(t) {
+                start[a..=b].iter_mut().for_each(|n| *n += 1);
+            }
+        }
+        let mut sum = 0;
+        for n in &mut start {
+            sum += std::mem::replace(n, sum);
+        }
+        let mut triangles = vec![0; sum as usize];
+        let mut next = start.clone();
+        for (i, t) in p.triangles.iter().enumerate() {
+            if let Some((a, b)) = rows(t) {
+                for n in &mut next[a..=b] {
+                    triangles[*n as usize] = i as u32;
+                    *n += 1;
+                }
+            }
+        }
+        Self { start, triangles }
+    }
+
+    fn of(&self, band: usize) -> &[u32] {
+        &self.triangles[self.start[band] as usize..self.start[band + 1] as usize]
+    }
+}
