@@ -5,7 +5,7 @@ mod common;
 use common::{difference, draw, load, prepare, SCENES};
 use shadegate_reference::raster::covers;
 use shadegate_reference::shade::{exact, flat, gouraud, quadratic};
-use shadegate_reference::{depth, render, to_byte, Frame, Method, Prepared, RenderOptions, Skips};
+use shadegate_reference::{render, to_byte, Frame, Method, Prepared, RenderOptions, Skips};
 
 /// The methods whose definitions are repeated here.
 const METHODS: [Method; 4] = [
@@ -108,13 +108,8 @@ fn by_definition(p: &Prepared, method: Method) -> Frame {
             for t in p.triangles.iter().filter(|t| covers(t.position, x, y)) {
                 let d = shadegate_reference::shade::barycentric::weights(&t.position, x, y);
                 let d = (0..3).map(|i| d[i] * t.depth[i]).sum::<f64>();
-                let key = if method == Method::Exact {
-                    d
-                } else {
-                    f64::from(depth::word(d))
-                };
-                if best.is_none_or(|(k, _)| key > k) {
-                    best = Some((key, t));
+                if best.is_none_or(|(k, _)| d > k) {
+                    best = Some((d, t));
                 }
             }
             if let Some((_, t)) = best {

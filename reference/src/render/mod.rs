@@ -89,10 +89,10 @@ fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats)
         }
     }
     match method {
-        Method::Exact => scalar::<f64, _>(p, &exact::Exact, o, start),
-        Method::Flat => scalar::<u16, _>(p, &flat::Flat, o, start),
-        Method::Gouraud => scalar::<u16, _>(p, &gouraud::Gouraud::new(p), o, start),
-        Method::Quadratic => scalar::<u16, _>(p, &quadratic::Quadratic::new(p), o, start),
+        Method::Exact => scalar(p, &exact::Exact, o, start),
+        Method::Flat => scalar(p, &flat::Flat, o, start),
+        Method::Gouraud => scalar(p, &gouraud::Gouraud::new(p), o, start),
+        Method::Quadratic => scalar(p, &quadratic::Quadratic::new(p), o, start),
     }
 }
 
@@ -118,7 +118,7 @@ fn vectors(
 }
 
 /// Draws pixel by pixel; `start` is when the method began to look at the scene.
-fn scalar<Z: scalar::DepthCell, S: Shader>(
+fn scalar<S: Shader>(
     p: &Prepared,
     shader: &S,
     o: &RenderOptions,
@@ -139,7 +139,7 @@ fn scalar<Z: scalar::DepthCell, S: Shader>(
             pixels,
             skip_hidden,
         };
-        band.draw::<Z>(bin, &ready)
+        band.draw(bin, &ready)
     });
     (frame, stats(p, tally, setup_ns, nanoseconds(start)))
 }

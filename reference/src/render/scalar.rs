@@ -1,35 +1,10 @@
-//! Drawing into a band of rows one pixel after the other: walk, depth test, colour by any [`Shader`].
+//! Drawing into a band of rows one pixel after the other: walk, depth test in real numbers, colour by any [`Shader`].
 
 use super::bands::{Ready, Tally};
-use crate::depth;
 use crate::geometry::Prepared;
 use crate::shade::barycentric::{steps, weights};
 use crate::shade::shader::{Run, Shader};
 use crate::shade::to_byte;
-
-/// A kind of depth buffer.
-pub(super) trait DepthCell: Copy + PartialOrd + Send {
-    /// Farther than anything drawn.
-    const CLEARED: Self;
-    /// The cell of a scaled depth.
-    fn of(scaled: f64) -> Self;
-}
-
-impl DepthCell for u16 {
-    const CLEARED: Self = 0;
-
-    fn of(scaled: f64) -> Self {
-        depth::round(scaled)
-    }
-}
-
-impl DepthCell for f64 {
-    const CLEARED: Self = Self::NEG_INFINITY;
-
-    fn of(scaled: f64) -> Self {
-        scaled
-    }
-}
 
 /// Rows `first_row..` of the frame.
 pub(super) struct Band<'a, S> {
@@ -43,18 +18,14 @@ pub(super) struct Band<'a, S> {
 
 impl<S: Shader> Band<'_, S> {
     /// Draws triangles in order.
-    pub(super) fn draw<Z: DepthCell>(
-        &mut self,
-        triangles: &[u32],
-        ready: &[Ready<S::Triangle>],
-    ) -> Tally {
+    pub(super) fn draw(&mut self, triangles: &[u32], ready: &[Ready<S::Triangle>]) -> Tally {
         let width = self.prepared.width as usize;
         let rows = (self.pixels.len() / width) as i32;
-        let mut buffer = vec![Z::CLEARED; self.pixels.len()];
+        let mut buffer = vec![f64::NEG_INFINITY; self.pixels.len()];
         let mut tally = Tally::default();
         for r in triangles.iter().map(|i| &ready[*i as usize]) {
             let t = &self.prepared.triangles[r.index];
-            let z = t.depth.map(depth::scaled);
+            let z = t.depth;
             let step = steps(&t.position);
             let dz = z[0] * step[0] + z[1] * step[1] + z[2] * step[2];
             for span in r.walk.spans(self.prepared.width) {
@@ -84,20 +55,20 @@ impl<S: Shader> Band<'_, S> {
 }
 
 /// One span in the frame.
-struct Line<'a, Z> {
+struct Line<'a> {
     pixels: &'a mut [[u8; 3]],
-    depths: &'a mut [Z],
+    depths: &'a mut [f64],
     z0: f64,
     dz: f64,
     skip_hidden: bool,
 }
 
-impl<Z: DepthCell> Line<'_, Z> {
+impl Line<'_> {
     fn run(self, mut run: impl Run) -> Tally {
         let tested = self.pixels.len() as u64;
         let mut written = 0;
         for (k, (pixel, stored)) in self.pixels.iter_mut().zip(self.depths).enumerate() {
-            let z = Z::of(self.z0 + k as f64 * self.dz);
+            let z = self.z0 + k as f64 * self.dz;
             let visible = z > *stored;
             if visible || !self.skip_hidden {
                 let colour = run.colour().map(to_byte);

@@ -4,7 +4,7 @@
 //! [`RUN`] pixels and once per step: within 34 words, 7e-8 of the frame's depth range, of the exact depth.
 
 use super::cover::{is_small, Cover};
-use super::fixed::{lanes, word, RUN};
+use super::fixed::{lanes, three, word, RUN};
 use super::kernel::Kernel;
 use super::patch::Patch;
 use crate::raster::{Viewport, Walk};
@@ -41,13 +41,14 @@ struct Depth<S: Simd> {
     at: [f64; 3],
     ramp: i32x8<S>,
     block: i32x8<S>,
+    down: i32x8<S>,
 }
 
 impl<S: Simd> Depth<S> {
     #[inline(always)]
     fn new(simd: S, t: &ScreenTriangle, patch: &Patch) -> Self {
         // Drawn depths are 0..=1; only what a switched-off skip lets through may lie outside.
-        let z = t.depth.map(|d| d.clamp(-3.0, 3.0) * DEPTH);
+        let z = three!(i => t.depth[i].clamp(-3.0, 3.0) * DEPTH);
         let at = [z[0], z[1] - z[0], z[2] - z[0]];
         let step = at[1] * patch.dx[0] + at[2] * patch.dx[1];
         let w = word(step);
@@ -55,6 +56,7 @@ impl<S: Simd> Depth<S> {
             at,
             ramp: lanes(simd) * w,
             block: i32x8::splat(simd, w.wrapping_mul(8)),
+            down: i32x8::splat(simd, word(at[1] * patch.dy[0] + at[2] * patch.dy[1])),
         }
     }
 
@@ -134,33 +136,55 @@ impl<'a> Band<'a> {
         if x0 >= width {
             return;
         }
-        let inside = i32x8::splat(simd, width - x0);
         let k = lanes(simd);
-        let (near, far) = (k.simd_lt(inside), (k + 8).simd_lt(inside));
+        let room = width - x0;
+        let limits = [room, room - 8].map(|n| (1u64 << n.clamp(0, 8)) - 1);
         let wide = patch.x1 - x0 >= 8;
         let mut cover = Cover::new(simd, &t.position, x0, y0);
+        let uv = patch.at(x0, y0);
+        let mut z_row = depth.start(simd, uv);
+        let mut run_row = kernel.start(simd, uv);
+        let mut at = (y0 - self.first) as usize * self.stride + x0 as usize;
+        let (mut tested, mut written) = (0, 0);
         let mut y = y0;
         while y <= y1 {
-            let a = cover.first(simd) & near;
-            let b = cover.second(simd) & far;
-            let (first, second) = (a.any_true(), wide && b.any_true());
-            if first || second {
-                let at = (y - self.first) as usize * self.stride + x0 as usize;
-                let uv = patch.at(x0, y);
-                let mut z = depth.start(simd, uv);
-                let mut run = kernel.start(simd, uv);
-                if first {
-                    self.block(simd, at, a, z, kernel, &run);
+            let (a, b) = (cover.first(simd), cover.second(simd));
+            let first = a.to_bitmask() & limits[0];
+            let second = if wide { b.to_bitmask() & limits[1] } else { 0 };
+            if first | second != 0 {
+                let depths = &mut self.memory.depth[at..at + 16];
+                let colours = &mut self.memory.colour[at..at + 16];
+                let (mut z, mut run) = (z_row, run_row);
+                if first != 0 {
+                    let (d, c) = (&mut depths[..8], &mut colours[..8]);
+                    let mask = if room < 8 {
+                        a & k.simd_lt(i32x8::splat(simd, room))
+                    } else {
+                        a
+                    };
+                    written += block(simd, d, c, Some(mask), z, kernel, &run, self.skip_hidden);
                 }
-                if second {
+                if second != 0 {
                     z = z + depth.block;
                     kernel.advance(&mut run);
-                    self.block(simd, at + 8, b, z, kernel, &run);
+                    let (d, c) = (&mut depths[8..], &mut colours[8..]);
+                    let mask = if room < 16 {
+                        b & k.simd_lt(i32x8::splat(simd, room - 8))
+                    } else {
+                        b
+                    };
+                    written += block(simd, d, c, Some(mask), z, kernel, &run, self.skip_hidden);
                 }
+                tested += first.count_ones() + second.count_ones();
             }
             cover.down();
             y += 1;
+            z_row = z_row + depth.down;
+            run_row = kernel.below(simd, run_row, patch, x0, y);
+            at += self.stride;
         }
+        self.tally.tested += u64::from(tested);
+        self.tally.written += u64::from(written);
     }
 
     #[inline(always)]
@@ -176,7 +200,6 @@ impl<'a> Band<'a> {
             return;
         };
         let k = lanes(simd);
-        let all = k.simd_lt(i32x8::splat(simd, 8));
         for span in walk.spans_within(self.viewport.width, self.first, self.first + self.rows) {
             let row = (span.y - self.first) as usize * self.stride;
             let mut x = span.start;
@@ -185,51 +208,65 @@ impl<'a> Band<'a> {
                 let uv = patch.at(x, span.y);
                 let mut z = depth.start(simd, uv);
                 let mut run = kernel.start(simd, uv);
-                loop {
-                    let left = end - x;
-                    let at = row + x as usize;
-                    if left >= 8 {
-                        self.block(simd, at, all, z, kernel, &run);
-                    } else {
-                        let mask = k.simd_lt(i32x8::splat(simd, left));
-                        self.block(simd, at, mask, z, kernel, &run);
-                    }
-                    x += 8;
-                    if x >= end {
-                        x = end;
-                        break;
-                    }
+                let length = (end - x) as usize;
+                let from = row + x as usize;
+                let (full, rest) = (from + length / 8 * 8, length as i32 % 8);
+                let mut depths = &mut self.memory.depth[from..full];
+                let mut colours = &mut self.memory.colour[from..full];
+                let mut written = 0;
+                while let (Some((d, more_d)), Some((c, more_c))) = (
+                    depths.split_first_chunk_mut::<8>(),
+                    colours.split_first_chunk_mut::<8>(),
+                ) {
+                    written += block(simd, d, c, None, z, kernel, &run, self.skip_hidden);
                     z = z + depth.block;
                     kernel.advance(&mut run);
+                    (depths, colours) = (more_d, more_c);
                 }
+                if rest > 0 {
+                    let mask = k.simd_lt(i32x8::splat(simd, rest));
+                    let d = &mut self.memory.depth[full..full + 8];
+                    let c = &mut self.memory.colour[full..full + 8];
+                    written += block(simd, d, c, Some(mask), z, kernel, &run, self.skip_hidden);
+                }
+                self.tally.tested += length as u64;
+                self.tally.written += u64::from(written);
+                x = end;
             }
         }
     }
+}
 
-    /// Tests and writes eight pixels.
-    #[inline(always)]
-    fn block<S: Simd, K: Kernel<S>>(
-        &mut self,
-        simd: S,
-        at: usize,
-        mask: mask32x8<S>,
-        z: i32x8<S>,
-        kernel: &K,
-        run: &K::Run,
-    ) {
-        let depths = &mut self.memory.depth[at..at + 8];
-        let stored = i32x8::from_slice(simd, depths);
-        let visible = z.simd_gt(stored) & mask;
-        self.tally.tested += u64::from(mask.to_bitmask().count_ones());
-        let bits = visible.to_bitmask();
-        if bits != 0 || !self.skip_hidden {
+/// Tests and writes eight pixels; returns how many were written.
+#[inline(always)]
+#[allow(clippy::too_many_arguments, reason = "inlined into two loops")]
+fn block<S: Simd, K: Kernel<S>>(
+    simd: S,
+    depths: &mut [i32],
+    colours: &mut [u32],
+    mask: Option<mask32x8<S>>,
+    z: i32x8<S>,
+    kernel: &K,
+    run: &K::Run,
+    skip_hidden: bool,
+) -> u32 {
+    let stored = i32x8::from_slice(simd, depths);
+    let nearer = z.simd_gt(stored);
+    let visible = match mask {
+        Some(mask) => nearer & mask,
+        None => nearer,
+    };
+    let bits = visible.to_bitmask();
+    if bits != 0 || !skip_hidden {
+        let pixels = kernel.pixels(simd, run);
+        if bits == 0xff {
+            z.store_slice(depths);
+            pixels.store_slice(colours);
+        } else {
             visible.select(z, stored).store_slice(depths);
-            let colours = &mut self.memory.colour[at..at + 8];
             let old = u32x8::from_slice(simd, colours);
-            visible
-                .select(kernel.pixels(simd, run), old)
-                .store_slice(colours);
-            self.tally.written += u64::from(bits.count_ones());
+            visible.select(pixels, old).store_slice(colours);
         }
     }
+    bits.count_ones()
 }

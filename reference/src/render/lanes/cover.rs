@@ -5,7 +5,7 @@
 //! one belong to the triangle, so E of the others is lowered by one. For boxes of up to 16 by 64 pixels all E stay below
 //! 2²⁹.
 
-use super::fixed::lanes;
+use super::fixed::{lanes, three};
 use super::patch::Patch;
 use crate::raster::{area2, Point, SUBPIXELS};
 use fearless_simd::{i32x8, mask32x8, prelude::*, Simd};
@@ -13,6 +13,17 @@ use fearless_simd::{i32x8, mask32x8, prelude::*, Simd};
 /// Largest bounding box, in pixels, for which this is meant.
 pub(super) const WIDTH: i32 = 16;
 pub(super) const HEIGHT: i32 = 64;
+
+/// The ends of edge `i`, so that the inside is on the positive side.
+#[inline(always)]
+fn ends(p: &[Point; 3], i: usize, turned: bool) -> (Point, Point) {
+    let j = if i == 2 { 0 } else { i + 1 };
+    if turned {
+        (p[j], p[i])
+    } else {
+        (p[i], p[j])
+    }
+}
 
 /// The edge functions at the first eight pixels of the current row.
 pub(super) struct Cover<S: Simd> {
@@ -28,26 +39,27 @@ impl<S: Simd> Cover<S> {
         let turned = area2(*p) < 0;
         let k = lanes(simd);
         let centre = |v: i32| i64::from(v * SUBPIXELS + SUBPIXELS / 2);
-        let edge = |i: usize, j: usize| {
-            let (a, b) = if turned { (p[j], p[i]) } else { (p[i], p[j]) };
+        let at = three!(i => {
+            let (a, b) = ends(p, i, turned);
             let (dx, dy) = (b.x - a.x, b.y - a.y);
             // With y downwards and the inside on the positive side: top edges run right, left edges up.
             let closed = dy < 0 || (dy == 0 && dx > 0);
-            let at = i64::from(dx) * (centre(y) - i64::from(a.y))
+            i64::from(dx) * (centre(y) - i64::from(a.y))
                 - i64::from(dy) * (centre(x) - i64::from(a.x))
-                - i64::from(!closed);
-            let across = -dy * SUBPIXELS;
-            (
-                i32x8::splat(simd, at as i32) + k * across,
-                i32x8::splat(simd, across * 8),
-                i32x8::splat(simd, dx * SUBPIXELS),
-            )
-        };
-        let [a, b, c] = [edge(0, 1), edge(1, 2), edge(2, 0)];
+                - i64::from(!closed)
+        });
+        let across = three!(i => {
+            let (a, b) = ends(p, i, turned);
+            (a.y - b.y) * SUBPIXELS
+        });
+        let along = three!(i => {
+            let (a, b) = ends(p, i, turned);
+            (b.x - a.x) * SUBPIXELS
+        });
         Self {
-            value: [a.0, b.0, c.0],
-            right: [a.1, b.1, c.1],
-            down: [a.2, b.2, c.2],
+            value: three!(i => i32x8::splat(simd, at[i] as i32) + k * across[i]),
+            right: three!(i => i32x8::splat(simd, across[i] * 8)),
+            down: three!(i => i32x8::splat(simd, along[i])),
         }
     }
 
@@ -61,8 +73,8 @@ impl<S: Simd> Cover<S> {
     /// Covered pixels of the next eight.
     #[inline(always)]
     pub(super) fn second(&self, simd: S) -> mask32x8<S> {
-        let e = |i: usize| self.value[i] + self.right[i];
-        (e(0) | e(1) | e(2)).simd_ge(i32x8::splat(simd, 0))
+        let [a, b, c] = three!(i => self.value[i] + self.right[i]);
+        (a | b | c).simd_ge(i32x8::splat(simd, 0))
     }
 
     /// Moves down one row.

@@ -22,6 +22,26 @@ pub(super) fn word(scaled: f64) -> i32 {
     (scaled + 6_755_399_441_055_744.0).to_bits() as u32 as i32
 }
 
+/// An array of three, written out: functions that take closures are compiled without the vector instructions.
+macro_rules! three {
+    ($c:ident => $value:expr) => {{
+        let a = {
+            let $c = 0usize;
+            $value
+        };
+        let b = {
+            let $c = 1usize;
+            $value
+        };
+        let c = {
+            let $c = 2usize;
+            $value
+        };
+        [a, b, c]
+    }};
+}
+pub(super) use three;
+
 /// 0, 1, … 7.
 #[inline(always)]
 pub(super) fn lanes<S: Simd>(simd: S) -> i32x8<S> {
@@ -40,7 +60,7 @@ impl<S: Simd> Channels<S> {
     #[inline(always)]
     pub(super) fn linear(simd: S, v: [i32; 3], ramp: &[i32x8<S>; 3], step: &[i32x8<S>; 3]) -> Self {
         Self {
-            value: [0, 1, 2].map(|c| i32x8::splat(simd, v[c]) + ramp[c]),
+            value: three!(c => i32x8::splat(simd, v[c]) + ramp[c]),
             step: *step,
         }
     }
@@ -51,18 +71,15 @@ impl<S: Simd> Channels<S> {
         let k = lanes(simd);
         let pairs = i32x8::simd_from(simd, [0, 0, 1, 3, 6, 10, 15, 21]);
         let block = i32x8::simd_from(simd, [28, 36, 44, 52, 60, 68, 76, 84]);
-        let channel = |c: usize| {
-            let second = i32x8::splat(simd, s[c]);
-            let first = i32x8::splat(simd, d[c]);
-            (
-                i32x8::splat(simd, v[c]) + k * first + pairs * second,
-                (first << 3) + block * second,
-            )
-        };
-        let [a, b, c] = [channel(0), channel(1), channel(2)];
         Self {
-            value: [a.0, b.0, c.0],
-            step: [a.1, b.1, c.1],
+            value: three!(c => {
+                let (first, second) = (i32x8::splat(simd, d[c]), i32x8::splat(simd, s[c]));
+                i32x8::splat(simd, v[c]) + k * first + pairs * second
+            }),
+            step: three!(c => {
+                let (first, second) = (i32x8::splat(simd, d[c]), i32x8::splat(simd, s[c]));
+                (first << 3) + block * second
+            }),
         }
     }
 
@@ -71,6 +88,14 @@ impl<S: Simd> Channels<S> {
     pub(super) fn advance(&mut self) {
         for c in 0..3 {
             self.value[c] = self.value[c] + self.step[c];
+        }
+    }
+
+    /// Moves down one row, linear.
+    #[inline(always)]
+    pub(super) fn below(&mut self, down: &[i32x8<S>; 3]) {
+        for c in 0..3 {
+            self.value[c] = self.value[c] + down[c];
         }
     }
 
@@ -86,17 +111,14 @@ impl<S: Simd> Channels<S> {
     /// The pixels: red in the lowest byte. `clamp` limits to 0..=255; without it, all values must be in range.
     #[inline(always)]
     pub(super) fn pixels<const CLAMP: bool>(&self, simd: S) -> u32x8<S> {
-        let byte = |c: usize| {
+        let top = i32x8::splat(simd, (256 << FRACTION) - 1);
+        let zero = i32x8::splat(simd, 0);
+        let [r, g, b] = three!(c => {
             let v = self.value[c];
-            let v = if CLAMP {
-                let top = i32x8::splat(simd, (256 << FRACTION) - 1);
-                v.max(i32x8::splat(simd, 0)).min(top)
-            } else {
-                v
-            };
+            let v = if CLAMP { v.max(zero).min(top) } else { v };
             v >> FRACTION
-        };
-        let packed = byte(0) | (byte(1) << 8) | (byte(2) << 16);
+        });
+        let packed = r | (g << 8) | (b << 16);
         packed.bitcast()
     }
 }

@@ -1,6 +1,6 @@
 //! How eight pixels of a triangle get their colour: constant, linear and quadratic.
 
-use super::fixed::{lanes, word, Channels, ONE};
+use super::fixed::{lanes, three, word, Channels, ONE};
 use super::patch::Patch;
 use fearless_simd::{i32x8, prelude::*, u32x8, Simd};
 
@@ -11,6 +11,12 @@ pub(super) trait Kernel<S: Simd> {
 
     /// The first eight pixels of a run that begins where u and v are `uv`.
     fn start(&self, simd: S, uv: [f64; 2]) -> Self::Run;
+
+    /// The run that begins one row lower, at the centre of pixel (`x`, `y`). Used for at most 64 rows.
+    #[inline(always)]
+    fn below(&self, simd: S, _: Self::Run, patch: &Patch, x: i32, y: i32) -> Self::Run {
+        self.start(simd, patch.at(x, y))
+    }
 
     /// Their colours, red in the lowest byte.
     fn pixels(&self, simd: S, run: &Self::Run) -> u32x8<S>;
@@ -44,21 +50,23 @@ pub(super) struct Linear<S: Simd, const CLAMP: bool> {
     f: [f64; 3],
     ramp: [i32x8<S>; 3],
     step: [i32x8<S>; 3],
+    down: [i32x8<S>; 3],
 }
 
 impl<S: Simd, const CLAMP: bool> Linear<S, CLAMP> {
     #[inline(always)]
     pub(super) fn new(simd: S, patch: &Patch, knots: &[[f64; 3]; 3]) -> Self {
-        let d = [0, 1, 2].map(|c| (knots[1][c] - knots[0][c]) * ONE);
-        let e = [0, 1, 2].map(|c| (knots[2][c] - knots[0][c]) * ONE);
-        let step = [0, 1, 2].map(|c| word(d[c] * patch.dx[0] + e[c] * patch.dx[1]));
+        let d = three!(c => (knots[1][c] - knots[0][c]) * ONE);
+        let e = three!(c => (knots[2][c] - knots[0][c]) * ONE);
+        let step = three!(c => word(d[c] * patch.dx[0] + e[c] * patch.dx[1]));
         let k = lanes(simd);
         Self {
             d,
             e,
-            f: [0, 1, 2].map(|c| (knots[0][c] + 0.5) * ONE),
-            ramp: step.map(|s| k * s),
-            step: step.map(|s| i32x8::splat(simd, s.wrapping_mul(8))),
+            f: three!(c => (knots[0][c] + 0.5) * ONE),
+            ramp: three!(c => k * step[c]),
+            step: three!(c => i32x8::splat(simd, step[c].wrapping_mul(8))),
+            down: three!(c => i32x8::splat(simd, word(d[c] * patch.dy[0] + e[c] * patch.dy[1]))),
         }
     }
 }
@@ -68,8 +76,14 @@ impl<S: Simd, const CLAMP: bool> Kernel<S> for Linear<S, CLAMP> {
 
     #[inline(always)]
     fn start(&self, simd: S, [u, v]: [f64; 2]) -> Channels<S> {
-        let at = [0, 1, 2].map(|c| word(self.d[c] * u + self.e[c] * v + self.f[c]));
+        let at = three!(c => word(self.d[c] * u + self.e[c] * v + self.f[c]));
         Channels::linear(simd, at, &self.ramp, &self.step)
+    }
+
+    #[inline(always)]
+    fn below(&self, _: S, mut run: Channels<S>, _: &Patch, _: i32, _: i32) -> Channels<S> {
+        run.below(&self.down);
+        run
     }
 
     #[inline(always)]
@@ -102,7 +116,9 @@ impl<S: Simd, const CLAMP: bool> Quadratic<S, CLAMP> {
         let mut coefficients = [[0.0; 3]; 6];
         let mut half = [0.0; 3];
         for c in 0..3 {
-            let [i0, i1, i2, i01, i02, i12] = knots.map(|k| k[c] * ONE);
+            let k = |i: usize| knots[i][c] * ONE;
+            let (i0, i1, i2) = (k(0), k(1), k(2));
+            let (i01, i02, i12) = (k(3), k(4), k(5));
             let a = 2.0 * (i0 + i1 - 2.0 * i01);
             let b = 2.0 * (i0 + i2 - 2.0 * i02);
             let m = 4.0 * (i0 + i12 - i01 - i02);
@@ -113,14 +129,14 @@ impl<S: Simd, const CLAMP: bool> Quadratic<S, CLAMP> {
             }
             half[c] = (a * du + m * dv) * du + b * dv * dv;
         }
-        let second = half.map(|h| word(2.0 * h));
+        let second = three!(c => word(2.0 * half[c]));
         Self {
             coefficients,
             du,
             dv,
             half,
             second,
-            s64: second.map(|s| i32x8::splat(simd, s.wrapping_mul(64))),
+            s64: three!(c => i32x8::splat(simd, second[c].wrapping_mul(64))),
         }
     }
 }

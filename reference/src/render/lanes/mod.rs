@@ -8,7 +8,7 @@ mod kernel;
 mod pack;
 mod patch;
 
-use super::bands::{Tally, BAND};
+use super::bands::Tally;
 use super::Frame;
 use crate::geometry::Prepared;
 use crate::parallel;
@@ -16,8 +16,12 @@ use crate::raster::{Viewport, SUBPIXELS};
 use crate::shade::to_byte;
 use band::{Band, Memory};
 use fearless_simd::{dispatch, prelude::*, u32x8, Level, Simd};
+use fixed::three;
 use kernel::{Constant, Linear, Quadratic};
 use patch::Patch;
+
+/// Rows in a band: its words stay in the cache, and there are enough bands for every thread.
+const BAND: usize = 32;
 
 /// What a triangle is painted with.
 pub(crate) enum Paint {
@@ -76,7 +80,7 @@ fn triangles<S: Simd>(
         let patch = Patch::new(t.position);
         match paint(i) {
             Paint::Constant(c) => {
-                let c = u32x8::splat(simd, pack::word(c.map(to_byte)));
+                let c = u32x8::splat(simd, pack::word(three!(i => to_byte(c[i]))));
                 band.triangle(simd, t, &patch, &Constant(c));
             }
             Paint::Linear(knots) => {

@@ -6,7 +6,7 @@
 //! take every start from the exact integer edge functions.
 
 use crate::raster::{area2, Point, SUBPIXELS};
-use crate::shade::barycentric::{steps, weights};
+use crate::shade::barycentric::weights;
 
 /// Where plane equations stop being exact enough.
 const STEEP: f64 = 1_048_576.0;
@@ -42,18 +42,25 @@ impl Patch {
         let last = |v: i32| (v - SUBPIXELS / 2) >> crate::raster::SUBPIXEL_BITS;
         let (x0, y0) = (first(left), first(top));
         let (x1, y1) = (last(right), last(bottom));
-        let w = weights(&position, x0, y0);
-        let s = steps(&position);
-        let fall = f64::from(SUBPIXELS) / area2(position) as f64;
+        let inverse = 1.0 / area2(position) as f64;
+        let centre = |v: i32| i64::from(v) * i64::from(SUBPIXELS) + i64::from(SUBPIXELS / 2);
+        let (cx, cy) = (centre(x0), centre(y0));
+        let edge = |p: Point, q: Point| {
+            let (px, py) = (i64::from(p.x), i64::from(p.y));
+            let e = (i64::from(q.x) - px) * (cy - py) - (i64::from(q.y) - py) * (cx - px);
+            e as f64 * inverse
+        };
+        let fall = f64::from(SUBPIXELS) * inverse;
+        let at = [edge(c, a), edge(a, b)];
+        let dx = [f64::from(c.y - a.y) * fall, f64::from(a.y - b.y) * fall];
         let dy = [f64::from(a.x - c.x) * fall, f64::from(b.x - a.x) * fall];
-        let dx = [s[1], s[2]];
         let steepest = dx.iter().chain(&dy).fold(0.0f64, |m, v| m.max(v.abs()));
         let extent = f64::from((x1 - x0).max(y1 - y0).max(0) + 16);
         Self {
             position,
             x0,
             y0,
-            at: [w[1], w[2]],
+            at,
             dx,
             dy,
             sliver: steepest * extent > STEEP,
