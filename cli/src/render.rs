@@ -39,7 +39,7 @@ pub struct RenderArgs {
     /// Method to measure the error against; `exact` is the truth
     #[arg(long, value_parser = Offer(methods), value_name = "METHOD")]
     against: Option<String>,
-    /// Skips to switch off, separated by commas: back-face, frustum, outside, uncovered, hidden, or all
+    /// Skips to switch off, separated by commas: back-face, vertex, frustum, outside, uncovered, hidden, or all
     #[arg(long, value_name = "LIST")]
     no_skip: Option<String>,
 }

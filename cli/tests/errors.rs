@@ -82,7 +82,7 @@ fn names() {
     );
     f.refuses(
         "render ball.toml --no-skip hiden",
-        "unknown skip 'hiden'; the nearest is 'hidden' of back-face, frustum, outside, uncovered, hidden",
+        "unknown skip 'hiden'; the nearest is 'hidden' of back-face, vertex, frustum, outside, uncovered, hidden",
     );
     let core = "unknown core 'goraud'; the nearest is 'gouraud' of gouraud, quadratic";
     f.refuses("cosim ball.toml --core goraud", core);

@@ -69,6 +69,7 @@ fn people_read_where_the_picture_is_and_how_good() {
         "skipped",
         "back-face",
         "uncovered",
+        "vertex",
         "error",
         "max",
         "RMS",

@@ -11,6 +11,7 @@ pub mod render;
 pub mod scene;
 pub mod shade;
 pub mod skips;
+pub mod visibility;
 
 pub use geometry::{Prepared, ScreenTriangle, TriangleCounts};
 pub use method::Method;

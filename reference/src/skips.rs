@@ -7,6 +7,8 @@ use crate::method::UnknownName;
 
 /// A triangle turned away from the camera.
 pub const BACK_FACE: &str = "back-face";
+/// A vertex that only back faces use, which are found in object space: not transformed.
+pub const VERTEX: &str = "vertex";
 /// An object whose bounding box lies outside the frustum.
 pub const FRUSTUM: &str = "frustum";
 /// A triangle beside the viewport.
@@ -20,7 +22,7 @@ pub const DEGENERATE: &str = "degenerate";
 /// A triangle of which the near plane, the far plane or the guard band leaves nothing. Always skipped as well.
 pub const CLIPPED_AWAY: &str = "clipped-away";
 
-const NAMES: [&str; 5] = [BACK_FACE, FRUSTUM, OUTSIDE, UNCOVERED, HIDDEN];
+const NAMES: [&str; 6] = [BACK_FACE, VERTEX, FRUSTUM, OUTSIDE, UNCOVERED, HIDDEN];
 
 /// Which skips are switched on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,7 +103,7 @@ mod tests {
     fn an_unknown_skip_is_answered_with_the_nearest() {
         assert_eq!(
             Skips::without("back-face,frustrum").unwrap_err().to_string(),
-            "unknown skip 'frustrum'; the nearest is 'frustum' of back-face, frustum, outside, uncovered, hidden"
+            "unknown skip 'frustrum'; the nearest is 'frustum' of back-face, vertex, frustum, outside, uncovered, hidden"
         );
     }
 }

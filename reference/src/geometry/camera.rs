@@ -40,6 +40,30 @@ impl View {
         self.size[0]
     }
 
+    /// Rows of the frame.
+    #[must_use]
+    pub fn height(&self) -> f64 {
+        self.size[1]
+    }
+
+    /// Takes world positions to view space: the eye at the origin, x to the right, y up, looking along −z.
+    #[must_use]
+    pub fn to_view(&self) -> DMat4 {
+        self.to_view
+    }
+
+    /// Pixels per unit of view space, where w = 1; the same in both directions, since pixels are square.
+    #[must_use]
+    pub fn focal(&self) -> f64 {
+        self.scale[1] * self.size[1] / 2.0
+    }
+
+    /// Whether far things look smaller.
+    #[must_use]
+    pub fn is_perspective(&self) -> bool {
+        self.perspective
+    }
+
     /// The view of `camera` on a frame of `width` × `height` square pixels.
     #[must_use]
     pub fn new(camera: &Camera, width: u32, height: u32) -> Self {

@@ -3,6 +3,8 @@
 pub mod camera;
 pub mod clip;
 pub mod cull;
+pub mod facing;
+mod pool;
 mod prepare;
 
 use crate::raster::Point;

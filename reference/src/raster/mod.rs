@@ -1,9 +1,11 @@
 //! Screen-space triangles as pixels: which centres a triangle covers, and the exact integer walk that visits them.
 
 pub mod coverage;
+pub mod touch;
 pub mod walk;
 
 pub use coverage::covers;
+pub use touch::covers_any;
 pub use walk::{EdgeDda, Span, Walk};
 
 /// Fraction bits of a snapped screen coordinate.
@@ -29,8 +31,14 @@ impl Point {
     #[must_use]
     pub fn snap(x: f64, y: f64) -> Option<Self> {
         let one = |v: f64| {
-            let s = (v * f64::from(SUBPIXELS)).round();
-            (s.abs() <= f64::from(COORDINATE_LIMIT)).then_some(s as i32)
+            let s = v * f64::from(SUBPIXELS);
+            // Rounds without a call of the mathematics library; what is too large saturates and is refused below.
+            let whole = s as i32;
+            let rest = s - f64::from(whole);
+            let rounded = whole
+                .saturating_add(i32::from(rest >= 0.5))
+                .saturating_sub(i32::from(rest <= -0.5));
+            (s.abs() < f64::from(COORDINATE_LIMIT) + 0.5).then_some(rounded)
         };
         Some(Self {
             x: one(x)?,
@@ -68,4 +76,32 @@ pub fn area2(p: [Point; 3]) -> i64 {
     let (ux, uy) = d(p[0], p[1]);
     let (vx, vy) = d(p[0], p[2]);
     ux * vy - uy * vx
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn snapping_rounds_to_nearest_halves_away_from_zero() {
+        let limit = f64::from(COORDINATE_LIMIT);
+        let mut sub_pixels = vec![
+            0.5f64.next_down(),
+            limit,
+            limit + 0.4,
+            limit + 0.5,
+            1e30,
+            f64::NAN,
+            f64::INFINITY,
+        ];
+        sub_pixels.extend((-4000..4000).map(|i| f64::from(i) / 8.0));
+        for s in sub_pixels
+            .iter()
+            .flat_map(|s| [*s, -s, s.next_up(), s.next_down()])
+        {
+            let want = (s.round().abs() <= limit).then(|| s.round() as i32);
+            let got = Point::snap(s / 256.0, 0.0).map(|p| p.x);
+            assert_eq!(got, want, "{s}");
+        }
+    }
 }
