@@ -41,6 +41,7 @@ catalogue! {
     Exact "exact" "every pixel from the definition, in f64: the truth"
     Flat "flat" "one colour per triangle (Bouknight 1970)"
     Gouraud "gouraud" "linear interpolation of three vertex colours (Gouraud 1971)"
+    Auto "auto" "per triangle the cheapest way whose proved error is within --max-error"
     Quadratic "quadratic" "quadratic interpolation of six colours (Abbas 2003 ch. 7; Hast 2004 §3.3)"
 }
 

@@ -17,12 +17,37 @@ pub const OUTSIDE: &str = "outside";
 pub const UNCOVERED: &str = "uncovered";
 /// A pixel behind what is already drawn: not shaded.
 pub const HIDDEN: &str = "hidden";
+/// A triangle that one colour draws within the error wanted of `auto`.
+pub const FLAT_ENOUGH: &str = "flat-enough";
+/// A triangle that linear interpolation draws within the error wanted of `auto`.
+pub const LINEAR_ENOUGH: &str = "linear-enough";
+/// A triangle that quadratic interpolation of colours draws within the error wanted of `auto`.
+pub const QUADRATIC_ENOUGH: &str = "quadratic-enough";
+/// A triangle that quadratic interpolation of N·L and N·H draws within the error wanted of `auto`.
+pub const PRODUCTS_ENOUGH: &str = "products-enough";
+/// A triangle shaded per pixel by `auto` on which no highlight can be seen.
+pub const SPECULAR: &str = "specular";
+/// A triangle shaded per pixel by `auto` to which no light comes.
+pub const DIFFUSE: &str = "diffuse";
 /// A triangle without area, in the mesh or after snapping. Always skipped: there is nothing to draw.
 pub const DEGENERATE: &str = "degenerate";
 /// A triangle of which the near plane, the far plane or the guard band leaves nothing. Always skipped as well.
 pub const CLIPPED_AWAY: &str = "clipped-away";
 
-const NAMES: [&str; 6] = [BACK_FACE, VERTEX, FRUSTUM, OUTSIDE, UNCOVERED, HIDDEN];
+const NAMES: [&str; 12] = [
+    BACK_FACE,
+    VERTEX,
+    FRUSTUM,
+    OUTSIDE,
+    UNCOVERED,
+    HIDDEN,
+    FLAT_ENOUGH,
+    LINEAR_ENOUGH,
+    QUADRATIC_ENOUGH,
+    PRODUCTS_ENOUGH,
+    SPECULAR,
+    DIFFUSE,
+];
 
 /// Which skips are switched on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -191,7 +191,7 @@ impl Walk {
     }
 
     /// The walk from row `row` on; the same state as after stepping there row by row.
-    fn from_row(&self, row: i32) -> Self {
+    fn at_row(&self, row: i32) -> Self {
         let skipped = (row - self.first_row).max(0) as u32;
         if skipped == 0 {
             return *self;
@@ -212,7 +212,7 @@ impl Walk {
     /// The spans of rows `from..to`, as [`Walk::spans`] gives them, without visiting the rows before.
     pub fn spans_within(&self, width: u32, from: i32, to: i32) -> impl Iterator<Item = Span> {
         let width = i32::try_from(width).unwrap_or(i32::MAX);
-        let mut walk = self.from_row(from);
+        let mut walk = self.at_row(from);
         let rows = (to - walk.first_row).clamp(0, walk.rows as i32);
         let mut left = walk.upper_rows;
         let mut minor = walk.minor[usize::from(left == 0)];

@@ -11,16 +11,16 @@ pub use frame::{Frame, FrameError};
 use crate::geometry::Prepared;
 use crate::method::Method;
 use crate::parallel;
+use crate::shade::paint::Paint;
 use crate::shade::shader::Shader;
-use crate::shade::{exact, flat, gouraud, quadratic, shared};
+use crate::shade::{auto, exact, flat, gouraud, quadratic, shared};
 use crate::skips::{self, Skips};
 use bands::Tally;
-use lanes::Paint;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
 /// How to draw.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct RenderOptions {
     /// Threads to use; as many as there are processors when not given (or zero).
     pub threads: Option<usize>,
@@ -28,6 +28,19 @@ pub struct RenderOptions {
     pub skips: Skips,
     /// How many pixels are drawn at a time, for methods that can draw several.
     pub vectors: Vectors,
+    /// The largest error of `auto`, LSB, beside the rounding to a byte.
+    pub max_error: f64,
+}
+
+impl Default for RenderOptions {
+    fn default() -> Self {
+        Self {
+            threads: None,
+            skips: Skips::all(),
+            vectors: Vectors::default(),
+            max_error: 1.0,
+        }
+    }
 }
 
 /// Vector registers to use. The frame is the same.
@@ -88,10 +101,19 @@ fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats)
             _ => {}
         }
     }
+    if method == Method::Auto {
+        let auto = auto::Auto::new(p, o.max_error, &o.skips);
+        let (frame, mut stats) = vectors(p, o, start, |i| auto.paint(i));
+        for (name, count) in auto.skipped() {
+            stats.skipped.insert(name, count);
+        }
+        return (frame, stats);
+    }
     match method {
         Method::Exact => scalar(p, &exact::Exact, o, start),
         Method::Flat => scalar(p, &flat::Flat, o, start),
         Method::Gouraud => scalar(p, &gouraud::Gouraud::new(p), o, start),
+        Method::Auto => unreachable!("drawn above"),
         Method::Quadratic => scalar(p, &quadratic::Quadratic::new(p), o, start),
     }
 }
@@ -106,8 +128,8 @@ fn vectors(
     let setup_ns = nanoseconds(start);
     let start = Instant::now();
     let level = match o.vectors {
-        Vectors::Baseline => fearless_simd::Level::baseline(),
-        _ => fearless_simd::Level::new(),
+        Vectors::Baseline | Vectors::None => fearless_simd::Level::baseline(),
+        Vectors::Widest => fearless_simd::Level::new(),
     };
     let skip_hidden = o.skips.is_on(skips::HIDDEN);
     let (frame, mut tally) = lanes::draw(p, level, skip_hidden, paint);

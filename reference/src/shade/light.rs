@@ -58,6 +58,21 @@ impl Surroundings {
         &self.materials[index]
     }
 
+    /// Where the eye is; `None` when the viewer is infinitely far.
+    #[must_use]
+    pub fn eye(&self) -> Option<DVec3> {
+        match self.viewer {
+            Viewer::Direction(_) => None,
+            Viewer::Position(eye) => Some(eye),
+        }
+    }
+
+    /// All lights.
+    #[must_use]
+    pub fn all_lights(&self) -> &[Light] {
+        &self.lights
+    }
+
     /// How many lights there are.
     #[must_use]
     pub fn lights(&self) -> usize {

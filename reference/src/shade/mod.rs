@@ -1,13 +1,16 @@
 //! What colour a surface has, and what each method makes of it between the places where that is worked out.
 //! Colours are real numbers in units of one 255th of full scale (LSB), not limited above unless said so.
 
+pub mod auto;
 pub mod barycentric;
+pub mod bound;
 pub mod corners;
 pub mod differences;
 pub mod exact;
 pub mod flat;
 pub mod gouraud;
 pub mod light;
+pub mod paint;
 pub mod quadratic;
 pub mod shader;
 pub(crate) mod shared;

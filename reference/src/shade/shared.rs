@@ -57,6 +57,7 @@ fn same_edge(a: &ScreenTriangle, k: usize, b: &ScreenTriangle, m: usize) -> bool
 /// Gives out slots: `key` names what may be shared (none: not at all), `same` makes sure, `shade` fills.
 fn table(
     p: &Prepared,
+    wanted: impl Fn(usize) -> bool,
     key: impl Fn(usize, usize) -> Option<u64>,
     same: impl Fn(Place, Place) -> bool,
     shade: impl Fn(Place) -> [f64; 3] + Sync + Send,
@@ -66,6 +67,10 @@ fn table(
         HashMap::with_capacity_and_hasher(2 * p.triangles.len(), BuildHasherDefault::default());
     let mut slots = Vec::with_capacity(p.triangles.len());
     for t in 0..p.triangles.len() {
+        if !wanted(t) {
+            slots.push([0; 3]);
+            continue;
+        }
         slots.push([0, 1, 2].map(|i| {
             let new = places.len() as u32;
             if let Some(key) = key(t, i) {
@@ -94,6 +99,7 @@ pub(crate) fn vertices(p: &Prepared) -> Table {
     let number = |t: usize, i: usize| p.vertices.get(t).map(|v| v[i]).filter(|n| *n != UNSHARED);
     table(
         p,
+        |_| true,
         |t, i| number(t, i).map(u64::from),
         |(t, i), (u, j)| same_vertex(&p.triangles[t], i, &p.triangles[u], j),
         |(t, i)| gouraud::vertex(p, &p.triangles[t], i),
@@ -117,7 +123,7 @@ impl Six {
     pub(crate) fn new(p: &Prepared) -> Self {
         Self {
             vertices: vertices(p),
-            edges: edges(p),
+            edges: edges(p, |_| true),
         }
     }
 
@@ -134,10 +140,12 @@ pub(crate) fn square(p: &Prepared) -> Vec<[[f64; 3]; 6]> {
     (0..p.triangles.len()).map(|t| six.of(t)).collect()
 }
 
-fn edges(p: &Prepared) -> Table {
+/// Mid-edge knots of the triangles that are `wanted`; those of others must not be asked for.
+pub(crate) fn edges(p: &Prepared, wanted: impl Fn(usize) -> bool) -> Table {
     let number = |t: usize, i: usize| p.vertices.get(t).map(|v| v[i]).filter(|n| *n != UNSHARED);
     table(
         p,
+        wanted,
         |t, k| {
             let (a, b) = (number(t, EDGES[k].0)?, number(t, EDGES[k].1)?);
             Some(u64::from(a.min(b)) << 32 | u64::from(a.max(b)))

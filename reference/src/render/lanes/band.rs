@@ -77,10 +77,8 @@ impl<'a> Band<'a> {
     ) -> Self {
         // Blocks of eight may begin in the last column, and small triangles look at sixteen.
         let stride = viewport.width as usize + 16;
-        for (words, value) in [(&mut memory.colour, background)] {
-            words.clear();
-            words.resize(stride * rows, value);
-        }
+        memory.colour.clear();
+        memory.colour.resize(stride * rows, background);
         memory.depth.clear();
         memory.depth.resize(stride * rows, CLEARED);
         Self {
@@ -143,7 +141,7 @@ impl<'a> Band<'a> {
         let mut cover = Cover::new(simd, &t.position, x0, y0);
         let uv = patch.at(x0, y0);
         let mut z_row = depth.start(simd, uv);
-        let mut run_row = kernel.start(simd, uv);
+        let mut run_row = kernel.start(simd, uv, [x0, y0]);
         let mut at = (y0 - self.first) as usize * self.stride + x0 as usize;
         let (mut tested, mut written) = (0, 0);
         let mut y = y0;
@@ -165,7 +163,7 @@ impl<'a> Band<'a> {
                     written += block(simd, d, c, Some(mask), z, kernel, &run, self.skip_hidden);
                 }
                 if second != 0 {
-                    z = z + depth.block;
+                    z += depth.block;
                     kernel.advance(&mut run);
                     let (d, c) = (&mut depths[8..], &mut colours[8..]);
                     let mask = if room < 16 {
@@ -179,7 +177,7 @@ impl<'a> Band<'a> {
             }
             cover.down();
             y += 1;
-            z_row = z_row + depth.down;
+            z_row += depth.down;
             run_row = kernel.below(simd, run_row, patch, x0, y);
             at += self.stride;
         }
@@ -207,7 +205,7 @@ impl<'a> Band<'a> {
                 let end = span.end.min(x + RUN);
                 let uv = patch.at(x, span.y);
                 let mut z = depth.start(simd, uv);
-                let mut run = kernel.start(simd, uv);
+                let mut run = kernel.start(simd, uv, [x, span.y]);
                 let length = (end - x) as usize;
                 let from = row + x as usize;
                 let (full, rest) = (from + length / 8 * 8, length as i32 % 8);
@@ -219,7 +217,7 @@ impl<'a> Band<'a> {
                     colours.split_first_chunk_mut::<8>(),
                 ) {
                     written += block(simd, d, c, None, z, kernel, &run, self.skip_hidden);
-                    z = z + depth.block;
+                    z += depth.block;
                     kernel.advance(&mut run);
                     (depths, colours) = (more_d, more_c);
                 }

@@ -81,7 +81,7 @@ impl<S: Simd> Cover<S> {
     #[inline(always)]
     pub(super) fn down(&mut self) {
         for i in 0..3 {
-            self.value[i] = self.value[i] + self.down[i];
+            self.value[i] += self.down[i];
         }
     }
 }

@@ -87,7 +87,7 @@ impl<S: Simd> Channels<S> {
     #[inline(always)]
     pub(super) fn advance(&mut self) {
         for c in 0..3 {
-            self.value[c] = self.value[c] + self.step[c];
+            self.value[c] += self.step[c];
         }
     }
 
@@ -95,7 +95,7 @@ impl<S: Simd> Channels<S> {
     #[inline(always)]
     pub(super) fn below(&mut self, down: &[i32x8<S>; 3]) {
         for c in 0..3 {
-            self.value[c] = self.value[c] + down[c];
+            self.value[c] += down[c];
         }
     }
 
@@ -103,8 +103,8 @@ impl<S: Simd> Channels<S> {
     #[inline(always)]
     pub(super) fn advance_twice(&mut self, s64: &[i32x8<S>; 3]) {
         for c in 0..3 {
-            self.value[c] = self.value[c] + self.step[c];
-            self.step[c] = self.step[c] + s64[c];
+            self.value[c] += self.step[c];
+            self.step[c] += s64[c];
         }
     }
 

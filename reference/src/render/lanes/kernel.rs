@@ -9,13 +9,13 @@ pub(super) trait Kernel<S: Simd> {
     /// What changes along a row.
     type Run: Copy;
 
-    /// The first eight pixels of a run that begins where u and v are `uv`.
-    fn start(&self, simd: S, uv: [f64; 2]) -> Self::Run;
+    /// The first eight pixels of a run that begins at pixel `at`, where u and v are `uv`.
+    fn start(&self, simd: S, uv: [f64; 2], at: [i32; 2]) -> Self::Run;
 
     /// The run that begins one row lower, at the centre of pixel (`x`, `y`). Used for at most 64 rows.
     #[inline(always)]
     fn below(&self, simd: S, _: Self::Run, patch: &Patch, x: i32, y: i32) -> Self::Run {
-        self.start(simd, patch.at(x, y))
+        self.start(simd, patch.at(x, y), [x, y])
     }
 
     /// Their colours, red in the lowest byte.
@@ -32,7 +32,7 @@ impl<S: Simd> Kernel<S> for Constant<S> {
     type Run = ();
 
     #[inline(always)]
-    fn start(&self, _: S, _: [f64; 2]) {}
+    fn start(&self, _: S, _: [f64; 2], _: [i32; 2]) {}
 
     #[inline(always)]
     fn pixels(&self, _: S, (): &()) -> u32x8<S> {
@@ -75,7 +75,7 @@ impl<S: Simd, const CLAMP: bool> Kernel<S> for Linear<S, CLAMP> {
     type Run = Channels<S>;
 
     #[inline(always)]
-    fn start(&self, simd: S, [u, v]: [f64; 2]) -> Channels<S> {
+    fn start(&self, simd: S, [u, v]: [f64; 2], _: [i32; 2]) -> Channels<S> {
         let at = three!(c => word(self.d[c] * u + self.e[c] * v + self.f[c]));
         Channels::linear(simd, at, &self.ramp, &self.step)
     }
@@ -145,7 +145,7 @@ impl<S: Simd, const CLAMP: bool> Kernel<S> for Quadratic<S, CLAMP> {
     type Run = Channels<S>;
 
     #[inline(always)]
-    fn start(&self, simd: S, [u, v]: [f64; 2]) -> Channels<S> {
+    fn start(&self, simd: S, [u, v]: [f64; 2], _: [i32; 2]) -> Channels<S> {
         let [a, b, m, d, e, f] = &self.coefficients;
         let (mut value, mut first) = ([0; 3], [0; 3]);
         for c in 0..3 {

@@ -3,35 +3,33 @@
 
 mod band;
 mod cover;
+mod dots;
+mod exact;
 mod fixed;
 mod kernel;
 mod pack;
 mod patch;
+mod phong;
+mod real;
 
 use super::bands::Tally;
 use super::Frame;
 use crate::geometry::Prepared;
 use crate::parallel;
 use crate::raster::{Viewport, SUBPIXELS};
+use crate::shade::paint::{Direction, Dots, DotsTerm, Paint, Phong, LIGHTS};
 use crate::shade::to_byte;
 use band::{Band, Memory};
+use dots::DotsKernel;
+use exact::ExactKernel;
 use fearless_simd::{dispatch, prelude::*, u32x8, Level, Simd};
 use fixed::three;
 use kernel::{Constant, Linear, Quadratic};
 use patch::Patch;
+use phong::PhongKernel;
 
 /// Rows in a band: its words stay in the cache, and there are enough bands for every thread.
 const BAND: usize = 32;
-
-/// What a triangle is painted with.
-pub(crate) enum Paint {
-    /// One colour, LSB.
-    Constant([f64; 3]),
-    /// Linear between the colours of the vertices.
-    Linear([[f64; 3]; 3]),
-    /// Quadratic through vertices 0, 1, 2 and mid-edges 01, 02, 12.
-    Quadratic([[f64; 3]; 6]),
-}
 
 /// Draws every triangle with the paint that `paint` gives it.
 pub(super) fn draw(
@@ -83,39 +81,44 @@ fn triangles<S: Simd>(
                 let c = u32x8::splat(simd, pack::word(three!(i => to_byte(c[i]))));
                 band.triangle(simd, t, &patch, &Constant(c));
             }
-            Paint::Linear(knots) => {
-                if knots.iter().flatten().all(|k| *k <= 255.0) {
-                    band.triangle(
-                        simd,
-                        t,
-                        &patch,
-                        &Linear::<S, false>::new(simd, &patch, &knots),
-                    );
-                } else {
-                    band.triangle(
-                        simd,
-                        t,
-                        &patch,
-                        &Linear::<S, true>::new(simd, &patch, &knots),
-                    );
-                }
+            Paint::Linear(k) if k.iter().flatten().all(|k| *k <= 255.0) => {
+                let kernel = Linear::<S, false>::new(simd, &patch, &k);
+                band.triangle(simd, t, &patch, &kernel);
             }
-            Paint::Quadratic(knots) => {
-                if stays_in_range(&knots) {
-                    band.triangle(
-                        simd,
-                        t,
-                        &patch,
-                        &Quadratic::<S, false>::new(simd, &patch, &knots),
-                    );
-                } else {
-                    band.triangle(
-                        simd,
-                        t,
-                        &patch,
-                        &Quadratic::<S, true>::new(simd, &patch, &knots),
-                    );
-                }
+            Paint::Linear(k) => {
+                let kernel = Linear::<S, true>::new(simd, &patch, &k);
+                band.triangle(simd, t, &patch, &kernel);
+            }
+            Paint::Quadratic(k) if stays_in_range(&k) => {
+                let kernel = Quadratic::<S, false>::new(simd, &patch, &k);
+                band.triangle(simd, t, &patch, &kernel);
+            }
+            Paint::Quadratic(k) => {
+                let kernel = Quadratic::<S, true>::new(simd, &patch, &k);
+                band.triangle(simd, t, &patch, &kernel);
+            }
+            Paint::Dots(d) if d.terms.len() < 2 => {
+                let kernel = DotsKernel::<S, 1>::new(simd, &patch, &d);
+                band.triangle(simd, t, &patch, &kernel);
+            }
+            Paint::Dots(d) => {
+                let kernel = DotsKernel::<S, LIGHTS>::new(simd, &patch, &d);
+                band.triangle(simd, t, &patch, &kernel);
+            }
+            Paint::Phong(d) if d.terms.len() < 2 => {
+                let kernel = PhongKernel::<S, 1>::new(simd, &patch, &d);
+                band.triangle(simd, t, &patch, &kernel);
+            }
+            Paint::Phong(d) => {
+                let kernel = PhongKernel::<S, LIGHTS>::new(simd, &patch, &d);
+                band.triangle(simd, t, &patch, &kernel);
+            }
+            Paint::Exact => {
+                let kernel = ExactKernel {
+                    prepared: p,
+                    triangle: t,
+                };
+                band.triangle(simd, t, &patch, &kernel);
             }
         }
     }

@@ -1,0 +1,199 @@
+//! The cheapest way to draw each triangle within a given error: one colour, linear, quadratic, quadratic dot products, or
+//! Phong's vectors per pixel, the first whose proved bound ([`super::bound`]) is small enough.
+
+use super::bound::{Bounds, Tables};
+use super::paint::{Dots, Paint, Phong};
+use super::shared::{self, Table};
+use super::KNOT_MAX;
+use crate::geometry::Prepared;
+use crate::parallel;
+use crate::skips::{self, Skips};
+use glam::DVec3;
+use std::collections::BTreeMap;
+
+/// What fixed point and f32 may add to the error of constant, linear and quadratic colours and of quadratic products, LSB (see
+/// the renderer).
+const ARITHMETIC: f64 = 0.02;
+
+/// How a triangle is drawn, cheapest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Choice {
+    /// One colour: the mean of the vertices.
+    Constant,
+    /// Linear between the vertices.
+    Linear,
+    /// Quadratic through six colours.
+    Quadratic,
+    /// Quadratic dot products, the power per pixel.
+    Dots,
+    /// Blended vectors, everything per pixel.
+    Phong,
+    /// The definition per pixel: nothing less is enough, or the material or a light is of another kind.
+    Exact,
+}
+
+/// The plan for a prepared scene.
+pub struct Auto<'a> {
+    prepared: &'a Prepared,
+    plan: Vec<Plan>,
+    vertices: Table,
+    edges: Table,
+}
+
+#[derive(Clone, Copy)]
+struct Plan {
+    choice: Choice,
+    specular: bool,
+    diffuse: bool,
+}
+
+impl<'a> Auto<'a> {
+    /// Chooses for every triangle; `error` is the largest error wanted, LSB, beside the rounding of the byte.
+    #[must_use]
+    pub fn new(p: &'a Prepared, error: f64, skips: &Skips) -> Self {
+        let tables = Tables::new(p);
+        let vertices = shared::vertices(p);
+        let plan = parallel::map(p.triangles.len(), |i| {
+            let bounds = tables.bounds(p, &p.triangles[i]);
+            choose(p, i, &bounds, &vertices.of(i), error, skips)
+        });
+        let edges = shared::edges(p, |i| plan[i].choice == Choice::Quadratic);
+        Self {
+            prepared: p,
+            plan,
+            vertices,
+            edges,
+        }
+    }
+
+    /// What triangle `i` is painted with.
+    #[must_use]
+    pub fn paint(&self, i: usize) -> Paint {
+        let p = self.prepared;
+        let plan = self.plan[i];
+        let paint = match plan.choice {
+            Choice::Constant => Some(Paint::Constant(mean(&self.vertices.of(i)))),
+            Choice::Linear => Some(Paint::Linear(self.vertices.of(i))),
+            Choice::Quadratic => {
+                let ([a, b, c], [d, e, f]) = (self.vertices.of(i), self.edges.of(i));
+                Some(Paint::Quadratic([a, b, c, d, e, f]))
+            }
+            Choice::Dots => Dots::new(p, i).map(|mut d| {
+                for t in &mut d.terms {
+                    plan.thin(&mut t.diffuse, &mut t.specular);
+                }
+                Paint::Dots(d)
+            }),
+            Choice::Phong => Phong::new(p, &p.triangles[i]).map(|mut d| {
+                for t in &mut d.terms {
+                    plan.thin(&mut t.diffuse, &mut t.specular);
+                }
+                Paint::Phong(d)
+            }),
+            Choice::Exact => None,
+        };
+        paint.unwrap_or(Paint::Exact)
+    }
+
+    /// How triangle `i` is drawn.
+    #[must_use]
+    pub fn choice(&self, i: usize) -> Choice {
+        self.plan[i].choice
+    }
+
+    /// Triangles for which work was left out, by reason.
+    #[must_use]
+    pub fn skipped(&self) -> BTreeMap<&'static str, u64> {
+        let mut counts = BTreeMap::new();
+        for plan in &self.plan {
+            let mut count = |name: Option<&'static str>| {
+                if let Some(name) = name {
+                    *counts.entry(name).or_default() += 1;
+                }
+            };
+            count(match plan.choice {
+                Choice::Constant => Some(skips::FLAT_ENOUGH),
+                Choice::Linear => Some(skips::LINEAR_ENOUGH),
+                Choice::Quadratic => Some(skips::QUADRATIC_ENOUGH),
+                Choice::Dots => Some(skips::PRODUCTS_ENOUGH),
+                Choice::Phong | Choice::Exact => None,
+            });
+            count((!plan.specular).then_some(skips::SPECULAR));
+            count((!plan.diffuse).then_some(skips::DIFFUSE));
+        }
+        counts
+    }
+}
+
+impl Plan {
+    fn thin(self, diffuse: &mut DVec3, specular: &mut DVec3) {
+        if !self.diffuse {
+            *diffuse = DVec3::ZERO;
+        }
+        if !self.specular {
+            *specular = DVec3::ZERO;
+        }
+    }
+}
+
+fn mean(knots: &[[f64; 3]; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|c| (knots[0][c] + knots[1][c] + knots[2][c]) / 3.0)
+}
+
+fn choose(
+    p: &Prepared,
+    i: usize,
+    bounds: &Bounds,
+    knots: &[[f64; 3]; 3],
+    error: f64,
+    skips: &Skips,
+) -> Plan {
+    let room = error - ARITHMETIC;
+    let plan = |choice| Plan {
+        choice,
+        specular: true,
+        diffuse: true,
+    };
+    // Knots that saturate are not where the polynomial wants them.
+    let free = knots.iter().flatten().all(|k| *k < KNOT_MAX);
+    if !super::paint::is_plain(p, p.triangles[i].material) {
+        return plan(Choice::Exact);
+    }
+    if free {
+        let m = mean(knots);
+        let apart = |k: &[f64; 3]| (0..3).fold(0.0f64, |a, c| a.max((k[c] - m[c]).abs()));
+        let spread = knots.iter().map(apart).fold(0.0, f64::max);
+        if bounds.linear + spread <= room && skips.is_on(skips::FLAT_ENOUGH) {
+            return plan(Choice::Constant);
+        }
+        if bounds.linear <= room && skips.is_on(skips::LINEAR_ENOUGH) {
+            return plan(Choice::Linear);
+        }
+        if bounds.quadratic <= room && skips.is_on(skips::QUADRATIC_ENOUGH) {
+            return plan(Choice::Quadratic);
+        }
+    }
+    let t = &p.triangles[i];
+    let m = p.surroundings.material(t.material);
+    let mut choice = Choice::Phong;
+    let mut left = room;
+    if bounds.dots <= room && skips.is_on(skips::PRODUCTS_ENOUGH) {
+        choice = Choice::Dots;
+        left -= bounds.dots;
+    } else if let Some(phong) = Phong::new(p, t) {
+        let arithmetic = phong.arithmetic();
+        if arithmetic > error {
+            return plan(Choice::Exact);
+        }
+        left = error - arithmetic;
+    }
+    let has_highlight = m.specular != DVec3::ZERO;
+    let specular = !(has_highlight && bounds.specular <= left && skips.is_on(skips::SPECULAR));
+    let has_diffuse = m.diffuse != DVec3::ZERO;
+    let diffuse = !(has_diffuse && bounds.diffuse <= 0.0 && skips.is_on(skips::DIFFUSE));
+    Plan {
+        choice,
+        specular,
+        diffuse,
+    }
+}
