@@ -63,7 +63,7 @@ pub struct Tables {
 struct Pair {
     /// Bounds of the chord between them.
     chord: [f64; 2],
-    /// Bounds of the first three derivatives: sums of products as in [`power`].
+    /// F₁ and bounds of the second and third derivative of the dot product.
     mixed: [f64; 3],
     /// κ and σ of N when the other vector is constant.
     constant: Option<(f64, f64)>,
@@ -73,15 +73,28 @@ impl Pair {
     fn new(n: &Field, middle: glam::DVec3, spread: f64, d: [f64; 3], constant: bool) -> Self {
         let apart = (n.middle - middle).length();
         let slack = n.spread + spread;
-        let [n1, n2, n3] = n.derivatives();
+        let chord = [(apart - slack).max(0.0), apart + slack];
+        let [n1, n2, _] = n.derivatives();
+        let (k, s) = (n.turn, n.stretch);
+        // |N'·H| ≤ κ·sin φ, and the higher derivatives of N lie along N' and N.
+        let least = 1.0 - chord[1] * chord[1] / 2.0;
+        let sine = if least > 0.0 {
+            (1.0 - least * least).sqrt()
+        } else {
+            1.0
+        };
+        let own = [
+            k * k + 2.0 * s * k * sine,
+            (6.0 * s * s).max(3.0 * k * k) * k * sine + 6.0 * s * k * k,
+        ];
         Self {
-            chord: [(apart - slack).max(0.0), apart + slack],
+            chord,
             mixed: [
                 n1 + d[0],
-                n2 + 2.0 * n1 * d[0] + d[1],
-                n3 + 3.0 * n2 * d[0] + 3.0 * n1 * d[1] + d[2],
+                own[0] + 2.0 * n1 * d[0] + d[1],
+                own[1] + 3.0 * n2 * d[0] + 3.0 * n1 * d[1] + d[2],
             ],
-            constant: constant.then_some((n.turn, n.stretch)),
+            constant: constant.then_some((k, s)),
         }
     }
 
@@ -93,13 +106,7 @@ impl Pair {
 
     /// Bounds of the second and third derivative of the dot product.
     fn dot(&self) -> [f64; 2] {
-        match self.constant {
-            Some((k, s)) => [
-                k * k + 2.0 * s * k,
-                (6.0 * s * s).max(3.0 * k * k) * k + 6.0 * s * k * k,
-            ],
-            None => [self.mixed[1], self.mixed[2]],
-        }
+        [self.mixed[1], self.mixed[2]]
     }
 
     /// Bounds of the second and third derivative of its power, of its size and of the error of a power of the
