@@ -39,7 +39,10 @@ pub struct RenderArgs {
     /// Method to measure the error against; `exact` is the truth
     #[arg(long, value_parser = Offer(methods), value_name = "METHOD")]
     against: Option<String>,
-    /// Skips to switch off, separated by commas: back-face, vertex, frustum, outside, uncovered, hidden, or all
+    /// Largest error of method `auto`, in 255ths of full scale, beside the rounding to a byte [default: 1]
+    #[arg(long, value_name = "LSB")]
+    max_error: Option<String>,
+    /// Skips to switch off, separated by commas, or all; `shadegate list skips` names them
     #[arg(long, value_name = "LIST")]
     no_skip: Option<String>,
 }
@@ -60,6 +63,7 @@ pub fn run(a: &RenderArgs, global: Global) -> Outcome {
     let against = a.against.as_deref().map(method).transpose()?;
     let size = a.size.as_deref().map(size::parse).transpose()?;
     let threads = a.threads.as_deref().map(parse_threads).transpose()?;
+    let max_error = a.max_error.as_deref().map(parse_error).transpose()?;
     let skips = Skips::without(a.no_skip.as_deref().unwrap_or("")).map_err(Failure::input)?;
     if let Some(file) = &a.output {
         output::file(file, "png")?;
@@ -76,7 +80,17 @@ pub fn run(a: &RenderArgs, global: Global) -> Outcome {
             file
         }
     };
-    let options = RenderOptions { threads, skips };
+    if max_error.is_some() && method != Method::Auto {
+        return Err(Failure::input(format!(
+            "max-error is a wish to method 'auto', not to '{method}'; expected --method auto with it"
+        )));
+    }
+    let options = RenderOptions {
+        threads,
+        skips,
+        max_error: max_error.unwrap_or(RenderOptions::default().max_error),
+        ..RenderOptions::default()
+    };
     progress.say(format!("drawing {} with {method}", scene.name));
     let begin = Instant::now();
     let prepared = Prepared::new(&scene, size, &skips).map_err(Failure::input)?;
@@ -115,6 +129,15 @@ fn parse_threads(text: &str) -> Result<usize, Failure> {
     n.ok_or_else(|| {
         Failure::input(format!(
             "threads '{text}' cannot be used; expected a number from 1 to {THREADS}"
+        ))
+    })
+}
+
+fn parse_error(text: &str) -> Result<f64, Failure> {
+    let e = text.parse().ok().filter(|e| (0.0..=255.0).contains(e));
+    e.ok_or_else(|| {
+        Failure::input(format!(
+            "max-error '{text}' cannot be used; expected a number from 0 to 255, in 255ths of full scale"
         ))
     })
 }

@@ -3,6 +3,7 @@
 mod common;
 
 use common::{keys, Folder, GOOD};
+use shadegate_reference::Method;
 
 #[test]
 fn everything_is_one_object() {
@@ -10,7 +11,7 @@ fn everything_is_one_object() {
     let all = f.json("list --dir .", 0);
     assert_eq!(
         keys(&all),
-        ["boards", "cores", "engines", "methods", "scenes", "targets"]
+        ["boards", "cores", "engines", "methods", "scenes", "skips", "targets"]
     );
     assert!(keys(&all)
         .iter()
@@ -27,7 +28,7 @@ fn names_alone_when_quiet() {
     let f = Folder::new();
     f.run("list methods -q")
         .code(0)
-        .stdout("exact\nflat\ngouraud\nquadratic\n");
+        .stdout(&(Method::NAMES.join("\n") + "\n"));
     f.run("list cores -q")
         .code(0)
         .stdout("gouraud\nquadratic\n");

@@ -65,6 +65,26 @@ impl Skips {
     /// The names that can be switched off.
     pub const NAMES: &'static [&'static str] = &NAMES;
 
+    /// What a skip leaves out, in one line; empty for names that cannot be switched.
+    #[must_use]
+    pub fn about(name: &str) -> &'static str {
+        match name {
+            BACK_FACE => "a triangle turned away from the camera",
+            VERTEX => "a vertex that only back faces use, which are found in object space: not transformed",
+            FRUSTUM => "an object whose bounding box lies outside the frustum",
+            OUTSIDE => "a triangle beside the viewport",
+            UNCOVERED => "a triangle that covers no pixel centre of the viewport",
+            HIDDEN => "a pixel behind what is already drawn: not shaded",
+            FLAT_ENOUGH => "a triangle that one colour draws within the error wanted of `auto`",
+            LINEAR_ENOUGH => "a triangle that linear interpolation draws within the error wanted of `auto`",
+            QUADRATIC_ENOUGH => "a triangle that quadratic interpolation of colours draws within the error wanted of `auto`",
+            PRODUCTS_ENOUGH => "a triangle that quadratic interpolation of N·L and N·H draws within the error wanted of `auto`",
+            SPECULAR => "a triangle shaded per pixel by `auto` on which no highlight can be seen",
+            DIFFUSE => "a triangle shaded per pixel by `auto` to which no light comes",
+            _ => "",
+        }
+    }
+
     /// Everything that can be skipped is skipped.
     #[must_use]
     pub fn all() -> Self {
@@ -125,10 +145,22 @@ mod tests {
     }
 
     #[test]
+    fn every_skip_is_explained() {
+        for name in Skips::NAMES {
+            assert!(!Skips::about(name).is_empty(), "{name}");
+        }
+    }
+
+    #[test]
     fn an_unknown_skip_is_answered_with_the_nearest() {
         assert_eq!(
-            Skips::without("back-face,frustrum").unwrap_err().to_string(),
-            "unknown skip 'frustrum'; the nearest is 'frustum' of back-face, vertex, frustum, outside, uncovered, hidden"
+            Skips::without("back-face,frustrum")
+                .unwrap_err()
+                .to_string(),
+            format!(
+                "unknown skip 'frustrum'; the nearest is 'frustum' of {}",
+                NAMES.join(", ")
+            )
         );
     }
 }

@@ -41,6 +41,8 @@ enum Kind {
     Scenes,
     /// Simulators of the co-simulation, and how to install them
     Engines,
+    /// Work that rendering leaves out, by the names of --no-skip
+    Skips,
 }
 
 impl Kind {
@@ -52,6 +54,7 @@ impl Kind {
             Self::Boards => "boards",
             Self::Scenes => "scenes",
             Self::Engines => "engines",
+            Self::Skips => "skips",
         }
     }
 }
@@ -112,6 +115,7 @@ pub fn run(a: &ListArgs, global: Global) -> Outcome {
             Kind::Boards => hardware::boards(),
             Kind::Scenes => scenes::scenes(a.dir.as_deref().unwrap_or(SCENES.as_ref()))?,
             Kind::Engines => engines::engines(),
+            Kind::Skips => software::skips(),
         };
         if kinds.len() > 1 && !global.quiet {
             let style = Style::new().bold().underline();

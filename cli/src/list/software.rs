@@ -1,9 +1,9 @@
-//! The shading methods of the software renderer.
+//! The shading methods of the software renderer, and what it leaves out.
 
 use super::Section;
 use serde_json::json;
 use shadegate_gen::scene::order_of;
-use shadegate_reference::Method;
+use shadegate_reference::{Method, Skips};
 
 /// Every method, and whether a core draws it.
 pub fn methods() -> Section {
@@ -17,6 +17,19 @@ pub fn methods() -> Section {
                 m.about().to_owned(),
             ],
             json!({ "name": m.name(), "core": core, "about": m.about() }),
+        );
+    }
+    section
+}
+
+/// Every skip that can be switched off.
+pub fn skips() -> Section {
+    let mut section = Section::new(&["skip", "about"]);
+    for name in Skips::NAMES {
+        let about = Skips::about(name);
+        section.add(
+            [(*name).to_owned(), about.to_owned()],
+            json!({ "name": name, "about": about }),
         );
     }
     section

@@ -86,26 +86,20 @@ impl<S: Simd> Channels<S> {
     /// Moves eight pixels to the right, linear.
     #[inline(always)]
     pub(super) fn advance(&mut self) {
-        for c in 0..3 {
-            self.value[c] += self.step[c];
-        }
+        self.value = three!(c => self.value[c] + self.step[c]);
     }
 
     /// Moves down one row, linear.
     #[inline(always)]
     pub(super) fn below(&mut self, down: &[i32x8<S>; 3]) {
-        for c in 0..3 {
-            self.value[c] += down[c];
-        }
+        self.value = three!(c => self.value[c] + down[c]);
     }
 
     /// Moves eight pixels to the right, quadratic; `s64` is 64 times the second difference.
     #[inline(always)]
     pub(super) fn advance_twice(&mut self, s64: &[i32x8<S>; 3]) {
-        for c in 0..3 {
-            self.value[c] += self.step[c];
-            self.step[c] += s64[c];
-        }
+        self.value = three!(c => self.value[c] + self.step[c]);
+        self.step = three!(c => self.step[c] + s64[c]);
     }
 
     /// The pixels: red in the lowest byte. `clamp` limits to 0..=255; without it, all values must be in range.

@@ -155,7 +155,7 @@ impl Bins {
             let (top, bottom) = (y[0].min(y[1]).min(y[2]), y[0].max(y[1]).max(y[2]));
             let first = ((top + SUBPIXELS / 2 - 1) >> crate::raster::SUBPIXEL_BITS).max(0);
             let last = ((bottom - SUBPIXELS / 2) >> crate::raster::SUBPIXEL_BITS).min(last_row);
-            (first <= last).then(|| (first as usize / BAND, last as usize / BAND))
+            (first <= last).then_some((first as usize / BAND, last as usize / BAND))
         };
         let mut start = vec![0u32; bands + 1];
         for t in &p.triangles {

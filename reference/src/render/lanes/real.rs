@@ -64,7 +64,7 @@ pub(super) fn power<S: Simd>(simd: S, x: f32x8<S>, n: f32x8<S>) -> f32x8<S> {
     p = p * f + 0.009_618_129;
     p = p * f + 0.055_504_11;
     p = p * f + 0.240_226_5;
-    p = p * f + 0.693_147_2;
+    p = p * f + std::f32::consts::LN_2;
     p = p * f + 1.0;
     let scale: i32x8<S> = i32x8::truncate_from(whole) << 23;
     let result: f32x8<S> = (p.bitcast::<i32x8<S>>() + scale).bitcast();
