@@ -17,6 +17,8 @@ pub const OUTSIDE: &str = "outside";
 pub const UNCOVERED: &str = "uncovered";
 /// A pixel behind what is already drawn: not shaded.
 pub const HIDDEN: &str = "hidden";
+/// A triangle of which nothing is nearer than the coarse depth of a band of rows: left out of that band.
+pub const TILES: &str = "tiles";
 /// A triangle that one colour draws within the error wanted of `auto`.
 pub const FLAT_ENOUGH: &str = "flat-enough";
 /// A triangle that linear interpolation draws within the error wanted of `auto`.
@@ -34,13 +36,14 @@ pub const DEGENERATE: &str = "degenerate";
 /// A triangle of which the near plane, the far plane or the guard band leaves nothing. Always skipped as well.
 pub const CLIPPED_AWAY: &str = "clipped-away";
 
-const NAMES: [&str; 12] = [
+const NAMES: [&str; 13] = [
     BACK_FACE,
     VERTEX,
     FRUSTUM,
     OUTSIDE,
     UNCOVERED,
     HIDDEN,
+    TILES,
     FLAT_ENOUGH,
     LINEAR_ENOUGH,
     QUADRATIC_ENOUGH,
@@ -75,6 +78,7 @@ impl Skips {
             OUTSIDE => "a triangle beside the viewport",
             UNCOVERED => "a triangle that covers no pixel centre of the viewport",
             HIDDEN => "a pixel behind what is already drawn: not shaded",
+            TILES => "a triangle of which nothing is nearer than the coarse depth of a band of rows: left out of that band",
             FLAT_ENOUGH => "a triangle that one colour draws within the error wanted of `auto`",
             LINEAR_ENOUGH => "a triangle that linear interpolation draws within the error wanted of `auto`",
             QUADRATIC_ENOUGH => "a triangle that quadratic interpolation of colours draws within the error wanted of `auto`",

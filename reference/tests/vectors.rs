@@ -39,7 +39,7 @@ fn many_pixels_at_a_time_are_as_one_by_one() {
             let (max, _) = difference(&many, &single);
             // Fixed point is within 0.002 LSB, which may turn a rounding.
             assert!(max <= 1, "{name} {m}: {max}");
-            assert_eq!(a.pixels_tested, b.pixels_tested, "{name} {m}");
+            assert!(a.pixels_tested <= b.pixels_tested, "{name} {m}");
             assert_eq!(a.pixels_written, b.pixels_written, "{name} {m}");
         }
     }

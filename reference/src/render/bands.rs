@@ -28,6 +28,8 @@ pub(super) struct Tally {
     pub written: u64,
     /// Pixels not shaded because they are hidden.
     pub hidden: u64,
+    /// Triangles left out of a band by its coarse depth.
+    pub tiles: u64,
 }
 
 impl std::ops::Add for Tally {
@@ -38,6 +40,7 @@ impl std::ops::Add for Tally {
             tested: self.tested + o.tested,
             written: self.written + o.written,
             hidden: self.hidden + o.hidden,
+            tiles: self.tiles + o.tiles,
         }
     }
 }

@@ -132,7 +132,7 @@ fn vectors(
         Vectors::Widest => fearless_simd::Level::new(),
     };
     let skip_hidden = o.skips.is_on(skips::HIDDEN);
-    let (frame, mut tally) = lanes::draw(p, level, skip_hidden, paint);
+    let (frame, mut tally) = lanes::draw(p, level, &o.skips, paint);
     if skip_hidden {
         tally.hidden = tally.tested - tally.written;
     }
@@ -170,6 +170,9 @@ fn stats(p: &Prepared, tally: Tally, setup_ns: u64, raster_ns: u64) -> RenderSta
     let mut skipped = p.skipped.clone();
     if tally.hidden > 0 {
         skipped.insert(skips::HIDDEN, tally.hidden);
+    }
+    if tally.tiles > 0 {
+        skipped.insert(skips::TILES, tally.tiles);
     }
     RenderStats {
         pixels_tested: tally.tested,

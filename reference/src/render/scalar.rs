@@ -88,6 +88,7 @@ impl Line<'_> {
             } else {
                 0
             },
+            tiles: 0,
         }
     }
 }

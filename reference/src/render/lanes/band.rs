@@ -3,6 +3,7 @@
 //! The depth word is 2²⁹·d, d the nearness of [`crate::ScreenTriangle::depth`], rounded once per run of
 //! [`RUN`] pixels and once per step: within 34 words, 7e-8 of the frame's depth range, of the exact depth.
 
+use super::coarse::Coarse;
 use super::cover::{is_small, Cover};
 use super::fixed::{lanes, three, word, RUN};
 use super::kernel::Kernel;
@@ -22,6 +23,7 @@ const CLEARED: i32 = i32::MIN;
 pub(super) struct Memory {
     depth: Vec<i32>,
     colour: Vec<u32>,
+    coarse: Coarse,
 }
 
 /// Rows `first..first + rows` of the frame.
@@ -33,6 +35,8 @@ pub(super) struct Band<'a> {
     rows: i32,
     /// Blocks of which nothing is visible are not shaded.
     pub skip_hidden: bool,
+    /// Triangles behind everything in their tiles are not drawn.
+    pub skip_tiles: bool,
     pub tally: Tally,
 }
 
@@ -81,6 +85,7 @@ impl<'a> Band<'a> {
         memory.colour.resize(stride * rows, background);
         memory.depth.clear();
         memory.depth.resize(stride * rows, CLEARED);
+        memory.coarse.clear(viewport.width as usize, rows, CLEARED);
         Self {
             memory,
             stride,
@@ -88,6 +93,7 @@ impl<'a> Band<'a> {
             first,
             rows: rows as i32,
             skip_hidden: true,
+            skip_tiles: true,
             tally: Tally::default(),
         }
     }
@@ -101,6 +107,18 @@ impl<'a> Band<'a> {
             .map(move |r| &r[..width])
     }
 
+    /// Whether a triangle is behind everything that its tiles hold; counted.
+    #[inline(always)]
+    pub(super) fn is_hidden(&mut self, t: &ScreenTriangle, patch: &Patch) -> bool {
+        let d = t.depth;
+        let nearest = d[0].max(d[1]).max(d[2]).clamp(-3.0, 3.0) * DEPTH;
+        // Steps and starts are rounded: no word is more than 34 nearer than the corner.
+        let nearest = nearest as i32 + 64;
+        let hidden = self.skip_tiles && self.memory.coarse.hides(patch.x0, patch.x1, nearest);
+        self.tally.tiles += u64::from(hidden);
+        hidden
+    }
+
     /// Draws what of a triangle lies in the band.
     #[inline(always)]
     pub(super) fn triangle<S: Simd>(
@@ -111,11 +129,15 @@ impl<'a> Band<'a> {
         kernel: &impl Kernel<S>,
     ) {
         let depth = Depth::new(simd, t, patch);
+        let before = self.tally.written;
         if is_small(patch) {
             self.small(simd, t, patch, &depth, kernel);
         } else {
             self.large(simd, t, patch, &depth, kernel);
         }
+        let written = (self.tally.written - before) as u32;
+        let Memory { depth, coarse, .. } = &mut *self.memory;
+        coarse.written(simd, depth, self.stride, patch.x0, patch.x1, written);
     }
 
     #[inline(always)]

@@ -2,6 +2,7 @@
 //! is the same for every width of vector registers and every number of threads, so frames are the same bytes.
 
 mod band;
+mod coarse;
 mod cover;
 mod dots;
 mod exact;
@@ -19,6 +20,7 @@ use crate::parallel;
 use crate::raster::{Viewport, SUBPIXELS};
 use crate::shade::paint::{Direction, Dots, DotsTerm, Paint, Phong, LIGHTS};
 use crate::shade::to_byte;
+use crate::skips::{Skips, HIDDEN, TILES};
 use band::{Band, Memory};
 use dots::DotsKernel;
 use exact::ExactKernel;
@@ -35,7 +37,7 @@ const BAND: usize = 32;
 pub(super) fn draw(
     p: &Prepared,
     level: Level,
-    skip_hidden: bool,
+    skips: &Skips,
     paint: impl Fn(usize) -> Paint + Sync + Send,
 ) -> (Frame, Tally) {
     let bins = Bins::new(p);
@@ -53,7 +55,8 @@ pub(super) fn draw(
         |memory, k, pixels| {
             let rows = pixels.len() / width;
             let mut band = Band::new(memory, viewport, (k * BAND) as i32, rows, background);
-            band.skip_hidden = skip_hidden;
+            band.skip_hidden = skips.is_on(HIDDEN);
+            band.skip_tiles = skips.is_on(TILES);
             dispatch!(level, simd => triangles(simd, p, &mut band, bins.of(k), &paint));
             for (row, out) in band.rows().zip(pixels.chunks_exact_mut(width)) {
                 dispatch!(level, simd => pack::row(simd, row, out));
@@ -76,6 +79,9 @@ fn triangles<S: Simd>(
         let i = *i as usize;
         let t = &p.triangles[i];
         let patch = Patch::new(t.position);
+        if band.is_hidden(t, &patch) {
+            continue;
+        }
         match paint(i) {
             Paint::Constant(c) => {
                 let c = u32x8::splat(simd, pack::word(three!(i => to_byte(c[i]))));
