@@ -1,7 +1,8 @@
 //! A band of rows as words: 32-bit depth and 32-bit colour, eight pixels at a time.
 //!
 //! The depth word is 2²⁹·d, d the nearness of [`crate::ScreenTriangle::depth`], rounded once per run of
-//! [`RUN`] pixels and once per step: within 34 words, 7e-8 of the frame's depth range, of the exact depth.
+//! [`RUN`] pixels and once per step, across or down: within 65 words, 1.3e-7 of the frame's depth range, of the exact
+//! depth.
 
 use super::coarse::Coarse;
 use super::cover::{is_small, Cover};
@@ -112,8 +113,8 @@ impl<'a> Band<'a> {
     pub(super) fn is_hidden(&mut self, t: &ScreenTriangle, patch: &Patch) -> bool {
         let d = t.depth;
         let nearest = d[0].max(d[1]).max(d[2]).clamp(-3.0, 3.0) * DEPTH;
-        // Steps and starts are rounded: no word is more than 34 nearer than the corner.
-        let nearest = nearest as i32 + 64;
+        // Steps and starts are rounded: no word is more than 65 nearer than the corner.
+        let nearest = nearest as i32 + 80;
         let hidden = self.skip_tiles && self.memory.coarse.hides(patch.x0, patch.x1, nearest);
         self.tally.tiles += u64::from(hidden);
         hidden
@@ -161,9 +162,8 @@ impl<'a> Band<'a> {
         let limits = [room, room - 8].map(|n| (1u64 << n.clamp(0, 8)) - 1);
         let wide = patch.x1 - x0 >= 8;
         let mut cover = Cover::new(simd, &t.position, x0, y0);
-        let uv = patch.at(x0, y0);
-        let mut z_row = depth.start(simd, uv);
-        let mut run_row = kernel.start(simd, uv, [x0, y0]);
+        let mut z_row = depth.start(simd, patch.at(x0, y0));
+        let mut row = kernel.first_row(simd, patch, [x0, y0]);
         let mut at = (y0 - self.first) as usize * self.stride + x0 as usize;
         let (mut tested, mut written) = (0, 0);
         let mut y = y0;
@@ -174,7 +174,7 @@ impl<'a> Band<'a> {
             if first | second != 0 {
                 let depths = &mut self.memory.depth[at..at + 16];
                 let colours = &mut self.memory.colour[at..at + 16];
-                let (mut z, mut run) = (z_row, run_row);
+                let (mut z, mut run) = (z_row, kernel.run(simd, patch, &row));
                 if first != 0 {
                     let (d, c) = (&mut depths[..8], &mut colours[..8]);
                     let mask = if room < 8 {
@@ -200,7 +200,7 @@ impl<'a> Band<'a> {
             cover.down();
             y += 1;
             z_row += depth.down;
-            run_row = kernel.below(simd, run_row, patch, x0, y);
+            kernel.next_row(&mut row);
             at += self.stride;
         }
         self.tally.tested += u64::from(tested);

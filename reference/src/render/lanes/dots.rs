@@ -2,7 +2,7 @@
 //! alone (bounded in [`crate::shade::bound`]).
 
 use super::fixed::three;
-use super::kernel::Kernel;
+use super::kernel::{rows_anew, Kernel};
 use super::patch::Patch;
 use super::real::{pixels, power, ramp, splat, Vector};
 use super::{Dots, DotsTerm};
@@ -111,6 +111,8 @@ impl<S: Simd, const N: usize> DotsKernel<S, N> {
 
 impl<S: Simd, const N: usize> Kernel<S> for DotsKernel<S, N> {
     type Run = State<S, N>;
+
+    rows_anew!();
 
     #[inline(always)]
     fn start(&self, simd: S, uv: [f64; 2], _: [i32; 2]) -> State<S, N> {

@@ -1,6 +1,7 @@
 //! Eight pixels from the definition, one after the other: for what no other kernel draws.
 
-use super::kernel::Kernel;
+use super::kernel::{rows_anew, Kernel};
+use super::patch::Patch;
 use crate::geometry::{Prepared, ScreenTriangle};
 use crate::shade::{exact, to_byte};
 use fearless_simd::{prelude::*, u32x8, Simd};
@@ -13,6 +14,8 @@ pub(super) struct ExactKernel<'a> {
 
 impl<S: Simd> Kernel<S> for ExactKernel<'_> {
     type Run = [i32; 2];
+
+    rows_anew!();
 
     #[inline(always)]
     fn start(&self, _: S, _: [f64; 2], at: [i32; 2]) -> [i32; 2] {

@@ -3,8 +3,9 @@
 //! A channel is a 32-bit word with [`FRACTION`] fraction bits, ½ added once at the start. Lane k of a block starts at
 //! v + k·d + k(k − 1)/2·s; the next block adds 8·d + (28 + 8k)·s, which itself grows by 64·s: one addition per eight
 //! pixels and channel when s = 0, two otherwise. A run starts anew from real numbers every [`RUN`] pixels, so rounding
-//! v, d and s (half a unit each) adds up to at most ½·(1 + 63 + 63·62/2)·2⁻¹⁹ < 0.002 LSB. Sums wrap; a value that is
-//! in range comes out right whatever its registers did in between.
+//! v, d and s (half a unit each) adds up to at most ½·(1 + 63 + 63·62/2)·2⁻¹⁹ < 0.002 LSB. Small triangles, of up to 16
+//! by 64 pixels, are stepped downwards in the same way, with a mixed difference: < ½·(1 + 2·(63 + 63·62/2) + 15·63)·2⁻¹⁹
+//! < 0.005 LSB. Sums wrap; a value that is in range comes out right whatever its registers did in between.
 
 use fearless_simd::{i32x8, prelude::*, u32x8, Simd};
 
@@ -93,6 +94,13 @@ impl<S: Simd> Channels<S> {
     #[inline(always)]
     pub(super) fn below(&mut self, down: &[i32x8<S>; 3]) {
         self.value = three!(c => self.value[c] + down[c]);
+    }
+
+    /// Moves down one row, quadratic: `down` is the change of every lane, `mixed` eight times what a step changes by.
+    #[inline(always)]
+    pub(super) fn below_twice(&mut self, down: &[i32x8<S>; 3], mixed: &[i32x8<S>; 3]) {
+        self.value = three!(c => self.value[c] + down[c]);
+        self.step = three!(c => self.step[c] + mixed[c]);
     }
 
     /// Moves eight pixels to the right, quadratic; `s64` is 64 times the second difference.

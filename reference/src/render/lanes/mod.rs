@@ -41,7 +41,8 @@ pub(super) fn draw(
     paint: impl Fn(usize) -> Paint + Sync + Send,
 ) -> (Frame, Tally) {
     let bins = Bins::new(p);
-    let mut frame = Frame::new(p.width, p.height, p.background);
+    // Every pixel will be written, the background too.
+    let mut frame = Frame::new(p.width, p.height, [0; 3]);
     let viewport = Viewport {
         width: p.width,
         height: p.height,

@@ -6,7 +6,7 @@
 //! the same weights, so nothing is approximated but the arithmetic: below 10⁻⁶·n + 10⁻⁴ of each term.
 
 use super::fixed::three;
-use super::kernel::Kernel;
+use super::kernel::{rows_anew, Kernel};
 use super::patch::Patch;
 use super::real::{dot, inverse_length, pixels, power, splat, vector, Vector, Walk};
 use super::{Direction, Phong};
@@ -141,6 +141,8 @@ fn unit<S: Simd>(simd: S, t: &Towards<S>, walk: &Walk<S>) -> Vector<S> {
 
 impl<S: Simd, const N: usize> Kernel<S> for PhongKernel<S, N> {
     type Run = State<S, N>;
+
+    rows_anew!();
 
     #[inline(always)]
     fn start(&self, simd: S, uv: [f64; 2], _: [i32; 2]) -> State<S, N> {
