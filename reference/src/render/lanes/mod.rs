@@ -24,11 +24,34 @@ use crate::skips::{Skips, HIDDEN, TILES};
 use band::{Band, Memory};
 use dots::DotsKernel;
 use exact::ExactKernel;
-use fearless_simd::{dispatch, prelude::*, u32x8, Level, Simd};
+#[cfg(not(target_arch = "x86_64"))]
+use fearless_simd::dispatch;
+use fearless_simd::{prelude::*, u32x8, Level, Simd};
 use fixed::three;
 use kernel::{Constant, Linear, Quadratic};
 use patch::Patch;
 use phong::PhongKernel;
+
+/// Runs an expression with vector registers. Of the many generations of x86-64 two are compiled, those with AVX2 and all
+/// others: each costs a minute of compilation.
+macro_rules! on_vectors {
+    ($level:expr, $simd:ident => $work:expr) => {{
+        #[cfg(target_arch = "x86_64")]
+        if let Some($simd) = $level.as_avx2() {
+            $simd.vectorize(
+                #[inline(always)]
+                || $work,
+            )
+        } else if let Some($simd) = $level.as_sse2() {
+            $simd.vectorize(
+                #[inline(always)]
+                || $work,
+            )
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        dispatch!($level, $simd => $work)
+    }};
+}
 
 /// Rows in a band: its words stay in the cache, and there are enough bands for every thread.
 const BAND: usize = 32;
@@ -58,10 +81,13 @@ pub(super) fn draw(
             let mut band = Band::new(memory, viewport, (k * BAND) as i32, rows, background);
             band.skip_hidden = skips.is_on(HIDDEN);
             band.skip_tiles = skips.is_on(TILES);
-            dispatch!(level, simd => triangles(simd, p, &mut band, bins.of(k), &paint));
-            for (row, out) in band.rows().zip(pixels.chunks_exact_mut(width)) {
-                dispatch!(level, simd => pack::row(simd, row, out));
-            }
+            let bin = bins.of(k);
+            on_vectors!(level, simd => {
+                triangles(simd, p, &mut band, bin, &paint);
+                for (row, out) in band.rows().zip(pixels.chunks_exact_mut(width)) {
+                    pack::row(simd, row, out);
+                }
+            });
             band.tally
         },
     );
