@@ -3,6 +3,7 @@
 mod common;
 
 use common::{Folder, GOOD};
+use shadegate_reference::Skips;
 
 const METHODS: &str = "exact, flat, gouraud, quadratic";
 
@@ -82,7 +83,10 @@ fn names() {
     );
     f.refuses(
         "render ball.toml --no-skip hiden",
-        "unknown skip 'hiden'; the nearest is 'hidden' of back-face, vertex, frustum, outside, uncovered, hidden",
+        &format!(
+            "unknown skip 'hiden'; the nearest is 'hidden' of {}",
+            Skips::NAMES.join(", ")
+        ),
     );
     let core = "unknown core 'goraud'; the nearest is 'gouraud' of gouraud, quadratic";
     f.refuses("cosim ball.toml --core goraud", core);
