@@ -7,7 +7,7 @@
 //! a step.
 
 use super::attenuation;
-use super::brdf::Reflectance;
+use super::brdf::{half_way, Reflectance};
 use super::spot::Cone;
 use crate::scene::{Camera, Light, LightKind, Material, Projection, Scene};
 use glam::DVec3;
@@ -18,6 +18,8 @@ pub struct Surroundings {
     lights: Vec<Light>,
     /// The distributions of those that are spots.
     cones: Vec<Option<Cone>>,
+    /// Half-way vectors of light and viewer where both are infinitely far and not opposite.
+    half: Vec<Option<DVec3>>,
     materials: Vec<Material>,
     reflectances: Vec<Reflectance>,
     viewer: Viewer,
@@ -56,17 +58,23 @@ impl Surroundings {
             LightKind::Spot { falloff, width, .. } => Some(Cone::new(falloff, width)),
             LightKind::Directional { .. } | LightKind::Point { .. } => None,
         };
+        let viewer = match camera.projection {
+            Projection::Orthographic { .. } => {
+                Viewer::Direction((camera.eye - camera.target).normalize())
+            }
+            Projection::Perspective { .. } => Viewer::Position(camera.eye),
+        };
+        let half = |light: &Light| match (light.kind, viewer) {
+            (LightKind::Directional { direction }, Viewer::Direction(v)) => half_way(-direction, v),
+            _ => None,
+        };
         Self {
             cones: lights.iter().map(cone).collect(),
+            half: lights.iter().map(half).collect(),
             lights,
             reflectances: materials.iter().map(Reflectance::new).collect(),
             materials,
-            viewer: match camera.projection {
-                Projection::Orthographic { .. } => {
-                    Viewer::Direction((camera.eye - camera.target).normalize())
-                }
-                Projection::Perspective { .. } => Viewer::Position(camera.eye),
-            },
+            viewer,
             skip_spots: true,
         }
     }
@@ -195,27 +203,30 @@ impl Surroundings {
         normal: DVec3,
     ) -> DVec3 {
         let view = self.view(position);
-        let mut sum = self.unlit(material, position, normal);
+        let facing = |k| normal.dot(self.incident(k, position).direction);
+        let mut sum = self.materials[material].unlit((0..self.lights.len()).map(facing));
         for k in lights {
             let light = self.incident(k, position);
             if light.colour != DVec3::ZERO {
+                let half = || self.half[k].or_else(|| half_way(light.direction, view));
                 let reflectance = &self.reflectances[material];
-                sum += light.colour * reflectance.reflect(normal, light.direction, view);
+                sum += light.colour * reflectance.reflect(normal, light.direction, view, half);
             }
         }
         sum * 255.0
     }
+}
 
-    /// Emission and ambient part, fractions of full scale.
-    fn unlit(&self, material: usize, position: DVec3, normal: DVec3) -> DVec3 {
-        let m = &self.materials[material];
-        if m.shadow == 0.0 || self.lights.is_empty() {
-            return m.emission + m.ambient;
+impl Material {
+    /// Emission and ambient part, fractions of full scale, where N·L of the lights are `facing`.
+    #[must_use]
+    pub fn unlit(&self, facing: impl Iterator<Item = f64>) -> DVec3 {
+        if self.shadow == 0.0 {
+            return self.emission + self.ambient;
         }
-        let facing = (0..self.lights.len())
-            .map(|k| normal.dot(self.incident(k, position).direction))
-            .fold(f64::NEG_INFINITY, f64::max);
-        m.emission + m.ambient * (1.0 + m.shadow * facing.min(0.0))
+        // Without any light there is no shadow side.
+        let largest = facing.reduce(f64::max).unwrap_or(0.0);
+        self.emission + self.ambient * (1.0 + self.shadow * largest.min(0.0))
     }
 }
 

@@ -26,8 +26,15 @@ pub struct Reflectance {
     curve: Curve,
 }
 
-/// The half-way vector is the sum of two unit vectors normalised; sums with a squared length up to this have cancelled.
+/// Sums of two unit vectors with a squared length up to this have cancelled.
 const OPPOSITE: f64 = 1e-24;
+
+/// The unit vector half-way between two unit vectors; none where they are opposite.
+#[must_use]
+pub fn half_way(l: DVec3, v: DVec3) -> Option<DVec3> {
+    let sum = l + v;
+    (sum.length_squared() > OPPOSITE).then(|| sum.normalize())
+}
 
 impl Reflectance {
     /// The reflection of a material.
@@ -47,27 +54,33 @@ impl Reflectance {
         &self.curve
     }
 
-    /// The part of white light from `l` that goes to `v`, RGB: unit vectors, or zero where there is no direction.
+    /// The part of white light from `l` that goes to `v`, RGB: unit vectors, or zero where there is no direction. `half` is
+    /// asked for their [`half_way`] vector where it is needed.
     #[must_use]
-    pub fn reflect(&self, n: DVec3, l: DVec3, v: DVec3) -> DVec3 {
+    pub fn reflect(
+        &self,
+        n: DVec3,
+        l: DVec3,
+        v: DVec3,
+        half: impl FnOnce() -> Option<DVec3>,
+    ) -> DVec3 {
         let facing = n.dot(l);
         let diffuse = self.diffuse * facing.max(0.0);
         if self.specular == DVec3::ZERO {
             return diffuse;
         }
-        let half = l + v;
-        let half = (half.length_squared() > OPPOSITE).then(|| half.normalize());
-        let specular = match (self.brdf, half) {
-            (Brdf::Phong, _) if facing > 0.0 => {
-                self.specular * self.curve.value((n * (2.0 * facing) - l).dot(v))
+        let specular = match self.brdf {
+            Brdf::Lambert => None,
+            Brdf::Phong => (facing > 0.0).then(|| {
+                let reflected = n * (2.0 * facing) - l;
+                self.specular * self.curve.value(reflected.dot(v))
+            }),
+            Brdf::Blinn => half().map(|h| self.specular * self.curve.value(n.dot(h))),
+            Brdf::CookTorrance { roughness } => {
+                half().map(|h| cook_torrance::specular(self.specular, roughness, n, l, v, h))
             }
-            (Brdf::Blinn, Some(h)) => self.specular * self.curve.value(n.dot(h)),
-            (Brdf::CookTorrance { roughness }, Some(h)) => {
-                cook_torrance::specular(self.specular, roughness, n, l, v, h)
-            }
-            _ => DVec3::ZERO,
         };
-        diffuse + specular
+        diffuse + specular.unwrap_or(DVec3::ZERO)
     }
 }
 
@@ -86,6 +99,10 @@ mod tests {
         })
     }
 
+    fn reflect(r: &Reflectance, n: DVec3, l: DVec3, v: DVec3) -> DVec3 {
+        r.reflect(n, l, v, || half_way(l, v))
+    }
+
     fn at(degrees: f64) -> DVec3 {
         let a = degrees.to_radians();
         DVec3::new(a.sin(), 0.0, a.cos())
@@ -94,7 +111,7 @@ mod tests {
     #[test]
     fn phong_by_hand() {
         // Light 30° left, viewer 50° right, normal up: the reflection leaves 20° beside the viewer.
-        let c = shiny(Brdf::Phong, 7.0).reflect(DVec3::Z, at(-30.0), at(50.0));
+        let c = reflect(&shiny(Brdf::Phong, 7.0), DVec3::Z, at(-30.0), at(50.0));
         let cos = |d: f64| d.to_radians().cos();
         let want = 0.25 * cos(30.0) + 0.5 * cos(20.0).powi(7);
         assert!((c - DVec3::splat(want)).length() < 1e-15);
@@ -104,7 +121,7 @@ mod tests {
     #[test]
     fn blinn_is_phong_at_half_the_angle() {
         let (n, l, v) = (DVec3::Z, at(-30.0), at(50.0));
-        let c = shiny(Brdf::Blinn, 7.0).reflect(n, l, v);
+        let c = reflect(&shiny(Brdf::Blinn, 7.0), n, l, v);
         let cos = |d: f64| d.to_radians().cos();
         let want = 0.25 * cos(30.0) + 0.5 * cos(10.0).powi(7);
         assert!((c - DVec3::splat(want)).length() < 1e-15);
@@ -113,9 +130,9 @@ mod tests {
     #[test]
     fn light_from_behind_has_no_reflection_even_with_an_even_exponent() {
         for n in [1.0, 2.0] {
-            let c = shiny(Brdf::Phong, n).reflect(DVec3::Z, at(100.0), at(-80.0));
+            let c = reflect(&shiny(Brdf::Phong, n), DVec3::Z, at(100.0), at(-80.0));
             assert_eq!(c, DVec3::ZERO);
-            let c = shiny(Brdf::Phong, n).reflect(DVec3::Z, at(80.0), at(80.0));
+            let c = reflect(&shiny(Brdf::Phong, n), DVec3::Z, at(80.0), at(80.0));
             assert!(c.x < 0.25 * 0.174, "R is 160° from V");
         }
     }
@@ -126,7 +143,7 @@ mod tests {
             brdf: Brdf::Lambert,
             ..Material::default()
         };
-        let c = Reflectance::new(&matt).reflect(DVec3::Z, DVec3::Z, DVec3::Z);
+        let c = reflect(&Reflectance::new(&matt), DVec3::Z, DVec3::Z, DVec3::Z);
         assert_eq!(c, DVec3::splat(0.8));
         let quick = Material {
             diffuse: DVec3::ZERO,
@@ -135,7 +152,7 @@ mod tests {
             highlight: Highlight::Schlick,
             ..Material::default()
         };
-        let c = Reflectance::new(&quick).reflect(at(60.0), DVec3::Z, DVec3::Z);
+        let c = reflect(&Reflectance::new(&quick), at(60.0), DVec3::Z, DVec3::Z);
         assert!((c.x - 0.5 / (3.0 - 1.5 + 0.5)).abs() < 1e-15);
     }
 
@@ -161,7 +178,7 @@ mod tests {
             for n in directions {
                 for l in directions {
                     for v in directions {
-                        let c = r.reflect(n, l, v);
+                        let c = reflect(&r, n, l, v);
                         assert!(
                             c.is_finite() && c.min_element() >= 0.0,
                             "{brdf:?} {n} {l} {v}"
