@@ -293,3 +293,27 @@ fn spots_that_miss_are_counted() {
     assert!(a == b, "{:?}", difference(&a, &b));
     assert_eq!(prepare("teapot", None).skipped.get("spot"), None);
 }
+
+/// `auto` knows what its bounds are for: where other lights or materials are met it draws from the definition, and
+/// where no cone reaches it need not.
+#[test]
+fn auto_keeps_its_error_under_any_light_and_material() {
+    let mut soft_and_hard = load("spot");
+    soft_and_hard.lights.remove(0);
+    soft_and_hard.materials[1].shadow = 0.0;
+    for (scene, plain) in [
+        (load("spot"), false),
+        (load("materials"), false),
+        (soft_and_hard, true),
+    ] {
+        let p = Prepared::new(&scene, None, &Skips::all()).unwrap();
+        let (frame, stats) = render(&p, Method::Auto, &RenderOptions::default());
+        let (max, rms) = difference(&frame, &draw(&p, Method::Exact));
+        let of = |n: &str| stats.skipped.get(n).copied().unwrap_or(0);
+        let cheap = of("flat-enough") + of("linear-enough");
+        println!("{}: {max} {rms:.3}, {cheap} triangles", scene.name);
+        // An LSB of error may turn the rounding of both frames.
+        assert!(max <= if plain { 2 } else { 0 }, "{}: {max}", scene.name);
+        assert_eq!(cheap > 500, plain, "{}: {cheap}", scene.name);
+    }
+}
