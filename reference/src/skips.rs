@@ -82,6 +82,7 @@ impl Skips {
             UNCOVERED => "a triangle that covers no pixel centre of the viewport",
             HIDDEN => "a pixel behind what is already drawn: not shaded",
             TILES => "a triangle of which nothing is nearer than the coarse depth of a band of rows: left out of that band",
+            SPOT => "a light whose cone misses a triangle: not looked at there",
             FLAT_ENOUGH => "a triangle that one colour draws within the error wanted of `auto`",
             LINEAR_ENOUGH => "a triangle that linear interpolation draws within the error wanted of `auto`",
             QUADRATIC_ENOUGH => "a triangle that quadratic interpolation of colours draws within the error wanted of `auto`",

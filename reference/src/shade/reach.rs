@@ -100,7 +100,7 @@ fn largest_cosine(to: DVec3, axis: DVec3, radius: f64) -> f64 {
     let cos_ball = ((1.0 - sin_ball) * (1.0 + sin_ball)).sqrt();
     let (cos, sin) = (to.dot(axis) / distance, to.cross(axis).length() / distance);
     // The axis passes through the ball: θ ≤ β.
-    if cos > 0.0 && sin <= sin_ball || cos <= 0.0 && cos_ball == 0.0 {
+    if cos > 0.0 && sin <= sin_ball {
         return 1.0;
     }
     (cos * cos_ball + sin * sin_ball + MARGIN).min(1.0)
