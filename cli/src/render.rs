@@ -9,7 +9,7 @@ use crate::{output, size};
 use clap::Args;
 use serde_json::{json, Value};
 use shadegate_reference::{
-    render, scene, Frame, Method, Prepared, RenderOptions, RenderStats, Skips,
+    render, scene, supported, Frame, Method, Prepared, RenderOptions, RenderStats, Skips,
 };
 use shadegate_testbench::compare::{compare, save_png, Comparison, Rgb8Ref};
 use std::fmt::Write;
@@ -95,6 +95,9 @@ pub fn run(a: &RenderArgs, global: Global) -> Outcome {
     let begin = Instant::now();
     let prepared = Prepared::new(&scene, size, &skips).map_err(Failure::input)?;
     let prepare_ns = nanoseconds(begin);
+    for m in against.into_iter().chain([method]) {
+        supported(&prepared, m).map_err(Failure::input)?;
+    }
     let (frame, stats) = render(&prepared, method, &options);
     let total_ns = nanoseconds(begin);
     let error = match against {

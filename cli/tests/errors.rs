@@ -3,8 +3,10 @@
 mod common;
 
 use common::{Folder, GOOD};
+use shadegate_reference::{Method, Skips};
+use std::sync::LazyLock;
 
-const METHODS: &str = "exact, flat, gouraud, quadratic";
+static METHODS: LazyLock<String> = LazyLock::new(|| Method::NAMES.join(", "));
 
 #[test]
 fn scenes() {
@@ -64,6 +66,37 @@ fn sizes() {
 }
 
 #[test]
+fn methods_that_cannot_draw_a_scene() {
+    let f = Folder::new();
+    let able = METHODS.replace("hemisphere, ", "");
+    let table =
+        |what: &str| format!("method 'hemisphere' cannot draw {what}; methods that can: {able}");
+    f.refuses(
+        "render ball.toml --method hemisphere",
+        &table("with perspective"),
+    );
+    f.refuses(
+        "render ball.toml --against hemisphere",
+        &table("with perspective"),
+    );
+    let flat = GOOD.replace("fov = 40", "height = 3");
+    let kind = "kind = \"directional\"";
+    f.write(
+        "point.toml",
+        &flat
+            .replace(kind, "kind = \"point\"")
+            .replace("direction =", "position ="),
+    );
+    f.refuses(
+        "render point.toml --method hemisphere",
+        &table("a point light"),
+    );
+    let spot = "kind = \"spot\"\nposition = [1, 2, 3]\nfield = 30";
+    f.write("spot.toml", &flat.replace(kind, spot));
+    f.refuses("render spot.toml --method hemisphere", &table("a spot"));
+}
+
+#[test]
 fn names() {
     let f = Folder::new();
     for command in [
@@ -73,16 +106,25 @@ fn names() {
     ] {
         f.refuses(
             &format!("{command} --method quadratik"),
-            &format!("unknown method 'quadratik'; the nearest is 'quadratic' of {METHODS}"),
+            &format!(
+                "unknown method 'quadratik'; the nearest is 'quadratic' of {}",
+                *METHODS
+            ),
         );
     }
     f.refuses(
         "render ball.toml --against exakt",
-        &format!("unknown method 'exakt'; the nearest is 'exact' of {METHODS}"),
+        &format!(
+            "unknown method 'exakt'; the nearest is 'exact' of {}",
+            *METHODS
+        ),
     );
     f.refuses(
         "render ball.toml --no-skip hiden",
-        "unknown skip 'hiden'; the nearest is 'hidden' of back-face, vertex, frustum, outside, uncovered, hidden",
+        &format!(
+            "unknown skip 'hiden'; the nearest is 'hidden' of {}",
+            Skips::NAMES.join(", ")
+        ),
     );
     let core = "unknown core 'goraud'; the nearest is 'gouraud' of gouraud, quadratic";
     f.refuses("cosim ball.toml --core goraud", core);

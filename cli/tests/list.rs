@@ -28,7 +28,7 @@ fn names_alone_when_quiet() {
     let f = Folder::new();
     f.run("list methods -q")
         .code(0)
-        .stdout(&(Method::NAMES.join("\n") + "\n"));
+        .stdout(Method::NAMES.join("\n") + "\n");
     f.run("list cores -q")
         .code(0)
         .stdout("gouraud\nquadratic\n");

@@ -11,6 +11,7 @@ pub mod render;
 pub mod scene;
 pub mod shade;
 pub mod skips;
+pub mod supported;
 pub mod visibility;
 
 pub use geometry::{Prepared, ScreenTriangle, TriangleCounts};
@@ -19,3 +20,4 @@ pub use render::{render, Frame, RenderOptions, RenderStats};
 pub use scene::{Scene, SceneError};
 pub use shade::{to_byte, KNOT_MAX};
 pub use skips::Skips;
+pub use supported::{supported, Unsupported};

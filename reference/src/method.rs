@@ -42,6 +42,7 @@ catalogue! {
     Flat "flat" "one colour per triangle (Bouknight 1970)"
     Gouraud "gouraud" "linear interpolation of three vertex colours (Gouraud 1971)"
     Auto "auto" "per triangle the cheapest way whose proved error is within --max-error"
+    Hemisphere "hemisphere" "a table of colours by x and y of the normal (Loisel 1996)"
     Quadratic "quadratic" "quadratic interpolation of six colours (Abbas 2003 ch. 7; Hast 2004 §3.3)"
 }
 

@@ -19,6 +19,8 @@ pub const UNCOVERED: &str = "uncovered";
 pub const HIDDEN: &str = "hidden";
 /// A triangle of which nothing is nearer than the coarse depth of a band of rows: left out of that band.
 pub const TILES: &str = "tiles";
+/// A light whose cone misses a triangle: not looked at there. Counted once for every such light and triangle.
+pub const SPOT: &str = "spot";
 /// A triangle that one colour draws within the error wanted of `auto`.
 pub const FLAT_ENOUGH: &str = "flat-enough";
 /// A triangle that linear interpolation draws within the error wanted of `auto`.
@@ -36,7 +38,7 @@ pub const DEGENERATE: &str = "degenerate";
 /// A triangle of which the near plane, the far plane or the guard band leaves nothing. Always skipped as well.
 pub const CLIPPED_AWAY: &str = "clipped-away";
 
-const NAMES: [&str; 13] = [
+const NAMES: [&str; 14] = [
     BACK_FACE,
     VERTEX,
     FRUSTUM,
@@ -44,6 +46,7 @@ const NAMES: [&str; 13] = [
     UNCOVERED,
     HIDDEN,
     TILES,
+    SPOT,
     FLAT_ENOUGH,
     LINEAR_ENOUGH,
     QUADRATIC_ENOUGH,
@@ -79,6 +82,7 @@ impl Skips {
             UNCOVERED => "a triangle that covers no pixel centre of the viewport",
             HIDDEN => "a pixel behind what is already drawn: not shaded",
             TILES => "a triangle of which nothing is nearer than the coarse depth of a band of rows: left out of that band",
+            SPOT => "a light whose cone misses a triangle: not looked at there",
             FLAT_ENOUGH => "a triangle that one colour draws within the error wanted of `auto`",
             LINEAR_ENOUGH => "a triangle that linear interpolation draws within the error wanted of `auto`",
             QUADRATIC_ENOUGH => "a triangle that quadratic interpolation of colours draws within the error wanted of `auto`",

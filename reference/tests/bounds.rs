@@ -5,7 +5,9 @@ use glam::DVec3;
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use shadegate_reference::raster::Point;
-use shadegate_reference::scene::{Brdf, Camera, Light, LightKind, Material, Projection};
+use shadegate_reference::scene::{
+    Attenuation, Brdf, Camera, Light, LightKind, Material, Projection,
+};
 use shadegate_reference::shade::bound::Tables;
 use shadegate_reference::shade::paint::Dots;
 use shadegate_reference::shade::{gouraud, quadratic, Surroundings};
@@ -28,6 +30,7 @@ fn random(r: &mut StdRng) -> Prepared {
         kind: if near && r.random_bool(0.5) {
             LightKind::Point {
                 position: direction(r) * r.random_range(1.5..8.0),
+                attenuation: Attenuation::NONE,
             }
         } else {
             LightKind::Directional {
@@ -46,6 +49,7 @@ fn random(r: &mut StdRng) -> Prepared {
         diffuse: DVec3::splat(r.random_range(0.0..0.6)),
         specular: DVec3::splat(r.random_range(0.0..0.6)),
         shininess: exponents[r.random_range(0..exponents.len())],
+        ..Material::default()
     };
     let eye = DVec3::new(0.0, 0.0, r.random_range(3.0..12.0));
     let camera = Camera {

@@ -4,7 +4,7 @@ mod common;
 
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
-use shadegate_reference::{scene, Prepared, Skips};
+use shadegate_reference::{scene, Method, Prepared, Skips};
 use std::path::{Path, PathBuf};
 
 const GOOD: &str = r#"[image]
@@ -78,7 +78,7 @@ fn every_error_names_file_line_field_and_what_would_do() {
         ("width = 64", "widht = 64", "s.toml:2: image.widht: unknown key; the nearest known key is 'width' of width, height, background"),
         ("[image]", "[imago]", "s.toml:1: imago: unknown key; the nearest known key is 'image' of image, camera, light, material, object, render"),
         ("fov = 40", "fow = 40", "s.toml:8: camera.fow: unknown key; the nearest known key is 'fov' of eye, target, up, fov, height, near, far"),
-        ("name = \"clay\"", "name = \"clay\"\nshinyness = 3", "s.toml:16: material[0].shinyness: unknown key; the nearest known key is 'shininess' of name, brdf, ambient, diffuse, specular, shininess"),
+        ("name = \"clay\"", "name = \"clay\"\nshinyness = 3", "s.toml:16: material[0].shinyness: unknown key; the nearest known key is 'shininess' of name, brdf, ambient, diffuse, specular, shininess, highlight, degree, roughness, f0, emission, shadow"),
         ("width = 64\n", "", "s.toml:1: image.width: missing; expected an integer from 1 to 16384"),
         ("width = 64", "width = 0", "s.toml:2: image.width: is 0; expected an integer from 1 to 16384"),
         ("width = 64", "width = 16385", "s.toml:2: image.width: is 16385; expected an integer from 1 to 16384"),
@@ -93,9 +93,9 @@ fn every_error_names_file_line_field_and_what_would_do() {
         ("fov = 40", "fov = 40\nnear = 3\nfar = 3", "s.toml:9: camera.near: is 3, not below far = 3; expected near < far"),
         ("fov = 40", "fov = 40\nup = [0, 0, 2]", "s.toml:9: camera.up: is parallel to the view; expected a direction across target - eye"),
         ("direction = [0, 0, -1]", "direction = [0, 0, 0]", "s.toml:12: light[0].direction: has no length; expected the direction in which the light travels"),
-        ("kind = \"directional\"", "kind = \"spot\"", "s.toml:11: light[0].kind: unknown 'spot'; the nearest is 'point' of directional, point"),
-        ("kind = \"directional\"", "kind = \"point\"", "s.toml:12: light[0].direction: does not belong to a point light; expected it only with the other kind, not 'point'"),
-        ("name = \"clay\"", "name = \"clay\"\nbrdf = \"phong\"", "s.toml:16: material[0].brdf: unknown 'phong'; the nearest is 'blinn' of lambert, blinn"),
+        ("kind = \"directional\"", "kind = \"sport\"", "s.toml:11: light[0].kind: unknown 'sport'; the nearest is 'spot' of directional, point, spot"),
+        ("kind = \"directional\"", "kind = \"point\"", "s.toml:12: light[0].direction: does not belong to a point light; expected it only with kind = 'directional' or 'spot'"),
+        ("name = \"clay\"", "name = \"clay\"\nbrdf = \"phongg\"", "s.toml:16: material[0].brdf: unknown 'phongg'; the nearest is 'phong' of lambert, phong, blinn, cook-torrance"),
         ("name = \"clay\"", "name = \"clay\"\ndiffuse = [0.1, -0.2, 0]", "s.toml:16: material[0].diffuse: has -0.2; expected a number or [r, g, b], each from 0 to 100"),
         ("material = \"clay\"", "material = \"caly\"", "s.toml:19: object[0].material: unknown 'caly'; the nearest is 'clay' of clay"),
         ("shape = \"sphere\"", "shape = \"spere\"", "s.toml:18: object[0].shape: unknown 'spere'; the nearest is 'sphere' of sphere, torus, plane, box, teapot"),
@@ -104,11 +104,12 @@ fn every_error_names_file_line_field_and_what_would_do() {
         ("shape = \"sphere\"", "shape = \"sphere\"\nscale = 0", "s.toml:19: object[0].scale: has 0; expected a number or [x, y, z], each of size 1e-6 to 1e6"),
         ("shape = \"sphere\"", "mesh = \"none.obj\"", "s.toml:18: object[0].mesh: none.obj: cannot be read (No such file or directory (os error 2)); expected a readable OBJ file"),
         ("shape = \"sphere\"", "mesh = \"none.stl\"", "s.toml:18: object[0].mesh: 'none.stl' has no known ending; expected a file ending in .obj, .gltf or .glb"),
-        ("[[light]]", "[render]\nmethod = \"exakt\"\n[[light]]", "s.toml:11: render.method: unknown 'exakt'; the nearest is 'exact' of exact, flat, gouraud, quadratic"),
+        ("[[light]]", "[render]\nmethod = \"exakt\"\n[[light]]", "s.toml:11: render.method: unknown 'exakt'; the nearest is 'exact' of METHODS"),
         ("[[object]]\nshape = \"sphere\"\nmaterial = \"clay\"", "", "s.toml:1: object: missing; expected at least one table [[object]]"),
     ];
     for (from, to, want) in cases {
         assert!(GOOD.contains(from), "{from}");
+        let want = want.replace("METHODS", &Method::NAMES.join(", "));
         assert_eq!(f.error(&GOOD.replacen(from, to, 1)), want);
     }
     let e = f.error("width == 3");
@@ -116,6 +117,65 @@ fn every_error_names_file_line_field_and_what_would_do() {
         e.starts_with("s.toml:1: scene: ") && e.ends_with("; expected TOML 1.0"),
         "{e}"
     );
+}
+
+#[test]
+fn every_key_of_lights_says_what_it_takes() {
+    let f = Folder::new("lights");
+    // The keys of the light, and the error without file name; the light begins on line 10.
+    let directional = "kind = \"directional\"\ndirection = [0, 0, -1]\n";
+    let point = "kind = \"point\"\nposition = [0, 1, 2]\n";
+    let spot = "kind = \"spot\"\nposition = [0, 1, 2]\ndirection = [0, -1, 0]\n";
+    let cases = [
+        (directional, "position = [1, 2, 3]", ":13: light[0].position: does not belong to a directional light; expected it only with kind = 'point' or 'spot'"),
+        (directional, "attenuation = [1, 0, 1]", ":13: light[0].attenuation: does not belong to a directional light; expected it only with kind = 'point' or 'spot'"),
+        (directional, "falloff = \"soft\"", ":13: light[0].falloff: does not belong to a directional light; expected it only with kind = 'spot'"),
+        (point, "beam = 20", ":13: light[0].beam: does not belong to a point light; expected it only with kind = 'spot'"),
+        (point, "field = 20", ":13: light[0].field: does not belong to a point light; expected it only with kind = 'spot'"),
+        (point, "attenuation = [0, 0, 0]", ":13: light[0].attenuation: is all 0; expected [constant, linear, quadratic], each at least 0, not all 0"),
+        (point, "attenuation = [1, -0.5, 0]", ":13: light[0].attenuation: has -0.5; expected [constant, linear, quadratic], each at least 0, not all 0"),
+        (point, "attenuation = 2", ":13: light[0].attenuation: is an integer; expected [constant, linear, quadratic], each at least 0, not all 0"),
+        (spot, "", ":10: light[0].field: missing; expected one of beam and field, degrees from 0.1 to 179"),
+        (spot, "beam = 20\nfield = 30", ":15: light[0].field: given together with beam; expected one of beam and field; the other follows from the fall-off"),
+        (spot, "beam = 0", ":14: light[0].beam: is 0; expected degrees from 0.1 to 179"),
+        (spot, "field = 180", ":14: light[0].field: is 180; expected degrees from 0.1 to 179"),
+        (spot, "field = 30\nfalloff = \"softer\"", ":15: light[0].falloff: unknown 'softer'; the nearest is 'soft' of warn, soft, hard"),
+        ("kind = \"spot\"\ndirection = [0, -1, 0]\n", "field = 30", ":10: light[0].position: missing; expected three numbers [x, y, z]"),
+        ("kind = \"spot\"\nposition = [0, 1, 0]\n", "field = 30", ":10: light[0].direction: missing; expected three numbers [x, y, z]"),
+    ];
+    for (keys, more, want) in cases {
+        let text = GOOD.replacen(directional, &format!("{keys}{more}\n"), 1);
+        assert_eq!(f.error(&text), format!("s.toml{want}"));
+    }
+}
+
+#[test]
+fn every_key_of_materials_says_what_it_takes() {
+    let f = Folder::new("materials");
+    // Keys of the material, from line 16 on.
+    let cases = [
+        ("brdf = \"lambert\"\nspecular = 1", ":17: material[0].specular: does not belong to the lambert model; expected it only with brdf = 'phong' or 'blinn'"),
+        ("brdf = \"lambert\"\nhighlight = \"pow\"", ":17: material[0].highlight: does not belong to the lambert model; expected it only with brdf = 'phong' or 'blinn'"),
+        ("brdf = \"cook-torrance\"\nshininess = 9", ":17: material[0].shininess: does not belong to the cook-torrance model; expected it only with brdf = 'phong' or 'blinn'"),
+        ("brdf = \"cook-torrance\"\nspecular = 1", ":17: material[0].specular: does not belong to the cook-torrance model; expected it only with brdf = 'phong' or 'blinn'"),
+        ("brdf = \"cook-torrance\"\nroughness = 0", ":17: material[0].roughness: is 0; expected a number from 0.01 to 1"),
+        ("brdf = \"cook-torrance\"\nf0 = [0.5, 0.5, 1.5]", ":17: material[0].f0: has 1.5; expected a number or [r, g, b], each from 0 to 1"),
+        ("f0 = 0.5", ":16: material[0].f0: does not belong to the blinn model; expected it only with brdf = 'cook-torrance'"),
+        ("brdf = \"phong\"\nroughness = 0.5", ":17: material[0].roughness: does not belong to the phong model; expected it only with brdf = 'cook-torrance'"),
+        ("highlight = \"kapa\"", ":16: material[0].highlight: unknown 'kapa'; the nearest is 'kappa' of pow, kappa, cos2, blake, schlick"),
+        ("degree = 3", ":16: material[0].degree: does not belong to highlight 'pow'; expected it only with highlight = 'kappa'"),
+        ("highlight = \"kappa\"\ndegree = 7", ":17: material[0].degree: is 7; expected an integer from 2 to 6"),
+        ("highlight = \"kappa\"\ndegree = 4\nshininess = 3", ":17: material[0].degree: is 4, above shininess = 3; expected a degree up to the shininess"),
+        ("highlight = \"kappa\"\nshininess = 1.5", ":17: material[0].shininess: is 1.5; expected a number from 2 to 10000 with highlight 'kappa'"),
+        ("highlight = \"blake\"\nshininess = 0.5", ":17: material[0].shininess: is 0.5; expected a number from 1 to 10000 with highlights other than 'pow'"),
+        ("shininess = 10001", ":16: material[0].shininess: is 10001; expected a number from 0 to 10000"),
+        ("shadow = 1.1", ":16: material[0].shadow: is 1.1; expected a number from 0 to 1"),
+        ("emission = [0, 0, 101]", ":16: material[0].emission: has 101; expected a number or [r, g, b], each from 0 to 100"),
+    ];
+    for (keys, want) in cases {
+        let text = GOOD.replacen("name = \"clay\"", &format!("name = \"clay\"\n{keys}"), 1);
+        assert_eq!(f.error(&text), format!("s.toml{want}"));
+    }
 }
 
 #[test]
@@ -175,6 +235,8 @@ fn damaged_text_never_panics() {
         .iter()
         .filter(|n| !["teapot", "gem", "rings"].contains(n))
         .map(|n| std::fs::read_to_string(common::path(n)).unwrap())
+        // Coarser meshes with the same keys.
+        .map(|text| text.replace("s = 24", "s = 4").replace("s = 32", "s = 4"))
         .collect();
     good.push(GOOD.to_owned());
     let attempt = |bytes: &[u8]| {

@@ -57,3 +57,13 @@ fn two_lights() {
 fn rings() {
     check("rings");
 }
+
+#[test]
+fn spot() {
+    check("spot");
+}
+
+#[test]
+fn materials() {
+    check("materials");
+}

@@ -9,9 +9,10 @@ use super::pool::{Pool, Stand};
 use super::{Prepared, ScreenTriangle, TriangleCounts, UNSHARED};
 use crate::raster::{area2, covers_any, Point, Viewport};
 use crate::scene::{Object, Scene, SceneError, IMAGE_LIMIT};
+use crate::shade::reach::missing;
 use crate::shade::Surroundings;
 use crate::skips::{
-    Skips, BACK_FACE, CLIPPED_AWAY, DEGENERATE, FRUSTUM, OUTSIDE, UNCOVERED, VERTEX,
+    Skips, BACK_FACE, CLIPPED_AWAY, DEGENERATE, FRUSTUM, OUTSIDE, SPOT, UNCOVERED, VERTEX,
 };
 use glam::DVec3;
 use std::collections::BTreeMap;
@@ -101,6 +102,11 @@ impl Prepared {
         let triangles: Vec<_> = pieces.iter().map(|p| pass.triangle(p)).collect();
         let vertices = pieces.iter().map(|p| pass.numbers(p)).collect();
         pass.counts.drawn = triangles.len() as u64;
+        let surroundings = Surroundings::new(scene).skipping_spots(skips.is_on(SPOT));
+        let dark = missing(&surroundings, triangles.iter().map(|t| &t.world));
+        if dark > 0 {
+            pass.skipped.insert(SPOT, dark);
+        }
         Ok(Self {
             scene_name: scene.name.clone(),
             width,
@@ -110,7 +116,7 @@ impl Prepared {
             counts: pass.counts,
             skipped: pass.skipped,
             vertices,
-            surroundings: Surroundings::new(scene),
+            surroundings,
         })
     }
 }

@@ -13,7 +13,7 @@ use crate::method::Method;
 use crate::parallel;
 use crate::shade::paint::Paint;
 use crate::shade::shader::Shader;
-use crate::shade::{auto, exact, flat, gouraud, quadratic, shared};
+use crate::shade::{auto, exact, flat, gouraud, hemisphere, quadratic, shared};
 use crate::skips::{self, Skips};
 use bands::Tally;
 use std::collections::BTreeMap;
@@ -114,6 +114,7 @@ fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats)
         Method::Flat => scalar(p, &flat::Flat, o, start),
         Method::Gouraud => scalar(p, &gouraud::Gouraud::new(p), o, start),
         Method::Auto => unreachable!("drawn above"),
+        Method::Hemisphere => scalar(p, &hemisphere::Hemisphere::new(p), o, start),
         Method::Quadratic => scalar(p, &quadratic::Quadratic::new(p), o, start),
     }
 }

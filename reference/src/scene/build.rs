@@ -1,22 +1,14 @@
-//! From a TOML document to a checked scene: image, camera, lights, materials and the wish for a method.
+//! From a TOML document to a checked scene: its parts, image, camera and the wish for a method.
 
+use super::material::materials;
 use super::object::object;
 use super::read::{Document, Table};
-use super::{
-    Brdf, Camera, Image, Light, LightKind, Material, Projection, Render, Scene, SceneError,
-    IMAGE_LIMIT,
-};
+use super::{light, Camera, Image, Projection, Render, Scene, SceneError, IMAGE_LIMIT};
 use crate::mesh::TRIANGLE_LIMIT;
 use crate::method::Method;
 use glam::DVec3;
 use std::path::Path;
 use toml::de::DeTable;
-
-const COLOUR: &str = "a number or [r, g, b], each from 0 to 100";
-
-fn is_colour(x: f64) -> bool {
-    (0.0..=100.0).contains(&x)
-}
 
 /// Reads and checks a scene file and the meshes it names (relative to the scene's folder).
 ///
@@ -43,12 +35,9 @@ pub(super) fn parse(path: &Path, text: &str) -> Result<Scene, SceneError> {
     let image = image(&root)?;
     let camera = camera(&root)?;
     let lights = root
-        .tables(
-            "light",
-            &["kind", "direction", "position", "colour", "intensity"],
-        )?
+        .tables("light", light::KEYS)?
         .iter()
-        .map(light)
+        .map(light::light)
         .collect::<Result<_, _>>()?;
     let materials = materials(&root)?;
     let objects = root
@@ -184,111 +173,4 @@ fn camera(root: &Table<'_>) -> Result<Camera, SceneError> {
         near,
         far,
     })
-}
-
-fn light(t: &Table<'_>) -> Result<Light, SceneError> {
-    let kind = t
-        .word("kind", &["directional", "point"])?
-        .ok_or_else(|| t.missing("kind", "'directional' or 'point'"))?;
-    let alien = if kind == "point" {
-        "direction"
-    } else {
-        "position"
-    };
-    if t.has(alien) {
-        return Err(t.error(
-            alien,
-            &format!("does not belong to a {kind} light"),
-            &format!("expected it only with the other kind, not '{kind}'"),
-        ));
-    }
-    let kind = if kind == "point" {
-        LightKind::Point {
-            position: t
-                .vector("position")?
-                .ok_or_else(|| t.missing("position", "three numbers [x, y, z]"))?,
-        }
-    } else {
-        let d = t
-            .vector("direction")?
-            .ok_or_else(|| t.missing("direction", "three numbers [x, y, z]"))?;
-        if d.length() < 1e-9 {
-            return Err(t.error(
-                "direction",
-                "has no length",
-                "expected the direction in which the light travels",
-            ));
-        }
-        LightKind::Directional {
-            direction: d.normalize(),
-        }
-    };
-    let colour = t
-        .vector_if("colour", COLOUR, true, is_colour)?
-        .unwrap_or(DVec3::ONE);
-    let intensity = t
-        .number_if("intensity", "a number from 0 to 100", is_colour)?
-        .unwrap_or(1.0);
-    Ok(Light {
-        kind,
-        colour: colour * intensity,
-    })
-}
-
-fn materials(root: &Table<'_>) -> Result<Vec<Material>, SceneError> {
-    let keys = [
-        "name",
-        "brdf",
-        "ambient",
-        "diffuse",
-        "specular",
-        "shininess",
-    ];
-    let mut all: Vec<Material> = Vec::new();
-    for t in root.tables("material", &keys)? {
-        let name = t
-            .string("name", "a name")?
-            .ok_or_else(|| t.missing("name", "a name for objects to use"))?;
-        if all.iter().any(|m| m.name == name) {
-            return Err(t.error(
-                "name",
-                &format!("'{name}' is taken"),
-                "expected a name of its own",
-            ));
-        }
-        let brdf = match t.word("brdf", &["lambert", "blinn"])? {
-            Some("lambert") => Brdf::Lambert,
-            _ => Brdf::Blinn,
-        };
-        let colour = |key: &str, default: f64| {
-            Ok(t.vector_if(key, COLOUR, true, is_colour)?
-                .unwrap_or(DVec3::splat(default)))
-        };
-        let mut specular = colour("specular", 0.0)?;
-        let shininess = t.number_if("shininess", "a number from 0 to 10000", |x| {
-            (0.0..=1e4).contains(&x)
-        })?;
-        if brdf == Brdf::Lambert {
-            if let Some(key) = ["specular", "shininess"].into_iter().find(|k| t.has(k)) {
-                return Err(t.error(
-                    key,
-                    "does not belong to the lambert model",
-                    "expected it only with brdf = 'blinn'",
-                ));
-            }
-            specular = DVec3::ZERO;
-        }
-        all.push(Material {
-            name: name.to_owned(),
-            brdf,
-            ambient: colour("ambient", 0.0)?,
-            diffuse: colour("diffuse", 0.8)?,
-            specular,
-            shininess: shininess.unwrap_or(20.0),
-        });
-    }
-    if all.is_empty() {
-        return Err(root.missing("material", "at least one table [[material]]"));
-    }
-    Ok(all)
 }

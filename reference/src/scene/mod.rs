@@ -2,11 +2,15 @@
 
 mod build;
 mod error;
+mod light;
+mod material;
 mod object;
 mod read;
 
 pub use build::load;
 pub use error::SceneError;
+pub use light::{Attenuation, Falloff, Light, LightKind, SpotWidth};
+pub use material::{Brdf, Highlight, Material};
 
 use crate::mesh::Mesh;
 use crate::method::Method;
@@ -78,56 +82,6 @@ pub enum Projection {
         /// World units from the lower to the upper edge of the frame.
         height: f64,
     },
-}
-
-/// A light.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Light {
-    /// Where the light comes from.
-    pub kind: LightKind,
-    /// RGB times intensity, each at least 0.
-    pub colour: DVec3,
-}
-
-/// Where a light comes from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum LightKind {
-    /// From infinitely far.
-    Directional {
-        /// Unit vector in the direction the light travels.
-        direction: DVec3,
-    },
-    /// From a point, without fall-off.
-    Point {
-        /// World position.
-        position: DVec3,
-    },
-}
-
-/// The reflection models known to this crate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Brdf {
-    /// Diffuse only.
-    Lambert,
-    /// Diffuse and a highlight of the half-way vector (Blinn 1977).
-    Blinn,
-}
-
-/// How a surface reflects. All colours are fractions of full scale, RGB, at least 0.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Material {
-    /// The name objects use.
-    pub name: String,
-    /// The model.
-    pub brdf: Brdf,
-    /// Added everywhere.
-    pub ambient: DVec3,
-    /// Factor of N·L.
-    pub diffuse: DVec3,
-    /// Factor of (N·H)ⁿ; zero for [`Brdf::Lambert`].
-    pub specular: DVec3,
-    /// The exponent n, 0 to 10 000.
-    pub shininess: f64,
 }
 
 /// A mesh somewhere in the world.

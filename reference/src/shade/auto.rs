@@ -156,7 +156,7 @@ fn choose(
     };
     // Knots that saturate are not where the polynomial wants them.
     let free = knots.iter().flatten().all(|k| *k < KNOT_MAX);
-    if !super::paint::is_plain(p, p.triangles[i].material) {
+    if !super::paint::is_plain(p, &p.triangles[i]) {
         return plan(Choice::Exact);
     }
     if free {

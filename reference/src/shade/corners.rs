@@ -4,8 +4,10 @@
 //! I = ambient + Σ diffuse·max(0, N·L) + specular·max(0, N·H)ⁿ, all in LSB. Where light or viewer are near, L and H and
 //! (with fall-off) the colours differ from vertex to vertex; methods blend them linearly on the screen.
 
+use super::highlight::Curve;
 use super::unit_normal;
 use crate::geometry::Prepared;
+use crate::scene::Brdf;
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -22,6 +24,10 @@ pub struct Term {
     pub diffuse: [DVec3; 3],
     /// Colour of the highlight at the vertices, LSB; zero for matt materials.
     pub specular: [DVec3; 3],
+    /// Not exceeded by the colour of the diffuse reflection anywhere on the triangle, LSB.
+    pub diffuse_peak: DVec3,
+    /// Not exceeded by the colour of the highlight anywhere on the triangle, LSB.
+    pub specular_peak: DVec3,
 }
 
 impl Term {
@@ -41,9 +47,13 @@ pub struct Corners {
     pub weight: [f64; 3],
     /// Colour without any light, LSB.
     pub ambient: DVec3,
+    /// The reflection model.
+    pub brdf: Brdf,
     /// The exponent n of the highlight.
     pub shininess: f64,
-    /// The lights.
+    /// The function that makes the highlight.
+    pub curve: Curve,
+    /// The lights that may reach the triangle.
     pub terms: SmallVec<[Term; 2]>,
 }
 
@@ -58,20 +68,25 @@ impl Corners {
         let term = |k: usize| {
             let at = t.world.map(|x| s.incident(k, x));
             let light = at.map(|i| i.direction);
+            let peak = s.brightest(k, &t.world) * 255.0;
             Term {
                 light,
                 half: [0, 1, 2].map(|i| (light[i] + view[i]).try_normalize().unwrap_or_default()),
                 constant: s.is_constant(k),
                 diffuse: at.map(|i| i.colour * material.diffuse * 255.0),
                 specular: at.map(|i| i.colour * material.specular * 255.0),
+                diffuse_peak: peak * material.diffuse,
+                specular_peak: peak * material.specular,
             }
         };
         Self {
             normal: t.normal.map(|n| unit_normal(t, n)),
             weight: t.inv_w,
-            ambient: material.ambient * 255.0,
+            ambient: (material.emission + material.ambient) * 255.0,
+            brdf: material.brdf,
             shininess: material.shininess,
-            terms: (0..s.lights()).map(term).collect(),
+            curve: *s.reflectance(t.material).curve(),
+            terms: s.reaching(&t.world).iter().map(term).collect(),
         }
     }
 }

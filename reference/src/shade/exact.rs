@@ -2,6 +2,7 @@
 //! qᵢ = λᵢwᵢ / Σλw (w = 1/w; Heckbert 1989), the normal normalised, and the full reflection model with a true power.
 
 use super::barycentric::weights;
+use super::reach::Reaching;
 use super::shader::{Run, Shader};
 use super::unit_normal;
 use crate::geometry::{Prepared, ScreenTriangle};
@@ -10,39 +11,53 @@ use crate::raster::Span;
 /// RGB at the centre of pixel (`x`, `y`), LSB, not limited. Meant for pixels inside the triangle.
 #[must_use]
 pub fn value(p: &Prepared, t: &ScreenTriangle, x: i32, y: i32) -> [f64; 3] {
+    value_by(0..p.surroundings.lights(), p, t, x, y)
+}
+
+/// The same with some of the lights only.
+fn value_by(
+    lights: impl Iterator<Item = usize>,
+    p: &Prepared,
+    t: &ScreenTriangle,
+    x: i32,
+    y: i32,
+) -> [f64; 3] {
     let w = weights(&t.position, x, y);
     let q = [0, 1, 2].map(|i| w[i] * t.inv_w[i]);
     let sum = q[0] + q[1] + q[2];
     let q = q.map(|v| v / sum);
     let blend = |v: [glam::DVec3; 3]| v[0] * q[0] + v[1] * q[1] + v[2] * q[2];
+    let (position, normal) = (blend(t.world), unit_normal(t, blend(t.normal)));
     p.surroundings
-        .shade(t.material, blend(t.world), unit_normal(t, blend(t.normal)))
+        .shade_by(lights, t.material, position, normal)
         .to_array()
 }
 
-/// The method for the renderer: nothing is kept from pixel to pixel.
+/// The method for the renderer: nothing is kept from pixel to pixel but which lights reach the triangle.
 pub struct Exact;
 
 /// The current pixel of a triangle.
 pub struct At<'a> {
     prepared: &'a Prepared,
     triangle: &'a ScreenTriangle,
+    lights: Reaching,
     x: i32,
     y: i32,
 }
 
 impl Shader for Exact {
-    type Triangle = usize;
+    type Triangle = (usize, Reaching);
     type Run<'a> = At<'a>;
 
-    fn triangle(&self, _: &Prepared, index: usize) -> usize {
-        index
+    fn triangle(&self, p: &Prepared, index: usize) -> (usize, Reaching) {
+        (index, p.surroundings.reaching(&p.triangles[index].world))
     }
 
-    fn start<'a>(&'a self, p: &'a Prepared, index: &'a usize, span: Span) -> At<'a> {
+    fn start<'a>(&'a self, p: &'a Prepared, t: &'a (usize, Reaching), span: Span) -> At<'a> {
         At {
             prepared: p,
-            triangle: &p.triangles[*index],
+            triangle: &p.triangles[t.0],
+            lights: t.1,
             x: span.start,
             y: span.y,
         }
@@ -51,7 +66,8 @@ impl Shader for Exact {
 
 impl Run for At<'_> {
     fn colour(&self) -> [f64; 3] {
-        value(self.prepared, self.triangle, self.x, self.y)
+        let lights = self.lights.iter();
+        value_by(lights, self.prepared, self.triangle, self.x, self.y)
     }
 
     fn step(&mut self) {

@@ -1,19 +1,27 @@
 //! What colour a surface has, and what each method makes of it between the places where that is worked out.
 //! Colours are real numbers in units of one 255th of full scale (LSB), not limited above unless said so.
 
+pub mod attenuation;
 pub mod auto;
 pub mod barycentric;
 pub mod bound;
+pub mod brdf;
 pub mod corners;
 pub mod differences;
 pub mod exact;
 pub mod flat;
 pub mod gouraud;
+pub mod hemisphere;
+pub mod highlight;
 pub mod light;
+pub mod negligible;
+pub mod object_space;
 pub mod paint;
 pub mod quadratic;
+pub mod reach;
 pub mod shader;
 pub(crate) mod shared;
+pub mod spot;
 
 pub use light::Surroundings;
 

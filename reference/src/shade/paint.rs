@@ -2,7 +2,7 @@
 
 use super::corners::Corners;
 use crate::geometry::{Prepared, ScreenTriangle};
-use crate::scene::{Brdf, LightKind};
+use crate::scene::{Attenuation, Brdf, Highlight, LightKind};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -95,12 +95,21 @@ fn scaled(v: [DVec3; 3]) -> [DVec3; 3] {
     }
 }
 
-/// Whether the material and all lights are of the kinds that [`Dots`] and [`Phong`] draw.
+/// Whether the material of a triangle and all lights that reach it are of the kinds that [`Dots`] and [`Phong`] draw.
 #[must_use]
-pub fn is_plain(p: &Prepared, material: usize) -> bool {
+pub fn is_plain(p: &Prepared, t: &ScreenTriangle) -> bool {
     let s = &p.surroundings;
-    let m = s.material(material);
-    matches!(m.brdf, Brdf::Lambert | Brdf::Blinn) && s.lights() <= LIGHTS
+    let m = s.material(t.material);
+    let plain = |k: usize| match s.light(k).0.kind {
+        LightKind::Directional { .. } => true,
+        LightKind::Point { attenuation, .. } => attenuation == Attenuation::NONE,
+        LightKind::Spot { .. } => false,
+    };
+    matches!(m.brdf, Brdf::Lambert | Brdf::Blinn)
+        && m.highlight == Highlight::Pow
+        && m.shadow == 0.0
+        && s.reaching(&t.world).iter().count() <= LIGHTS
+        && s.reaching(&t.world).iter().all(plain)
 }
 
 /// At the vertices, vectors from a triangle to a point, with perspective weights.
@@ -112,15 +121,18 @@ impl Phong {
     /// The vectors of a triangle; `None` for materials and lights that it does not draw.
     #[must_use]
     pub fn new(p: &Prepared, t: &ScreenTriangle) -> Option<Self> {
-        if !is_plain(p, t.material) {
+        if !is_plain(p, t) {
             return None;
         }
         let s = &p.surroundings;
         let m = s.material(t.material);
-        let terms = s.all_lights().iter().map(|light| PhongTerm {
+        let lights = s.reaching(&t.world).iter().map(|k| s.light(k).0);
+        let terms = lights.map(|light| PhongTerm {
             light: match light.kind {
                 LightKind::Directional { direction } => Direction::Constant(-direction),
-                LightKind::Point { position } => towards(t, position),
+                LightKind::Point { position, .. } | LightKind::Spot { position, .. } => {
+                    towards(t, position)
+                }
             },
             diffuse: light.colour * m.diffuse * 255.0,
             specular: light.colour * m.specular * 255.0,
@@ -132,7 +144,7 @@ impl Phong {
                 None => Direction::Constant(s.view(t.world[0])),
             },
             terms: terms.collect(),
-            ambient: m.ambient * 255.0,
+            ambient: (m.emission + m.ambient) * 255.0,
             shininess: m.shininess,
         })
     }
@@ -151,11 +163,12 @@ impl Dots {
     #[must_use]
     pub fn new(p: &Prepared, index: usize) -> Option<Self> {
         let t = &p.triangles[index];
-        if !is_plain(p, t.material) {
+        if !is_plain(p, t) {
             return None;
         }
         let corners = Corners::new(p, index);
         let s = &p.surroundings;
+        let lights = s.reaching(&t.world).iter();
         // Unit normals, positions and views at the six knots.
         let mut normal = [DVec3::ZERO; 6];
         let mut place = [DVec3::ZERO; 6];
@@ -190,7 +203,7 @@ impl Dots {
             }
         };
         Some(Self {
-            terms: corners.terms.iter().enumerate().map(term).collect(),
+            terms: lights.zip(&corners.terms).map(term).collect(),
             ambient: corners.ambient,
             shininess: corners.shininess,
         })

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 /// The scenes that come with Shadegate.
 #[allow(dead_code, reason = "not every test binary draws them all")]
-pub const SCENES: [&str; 8] = [
+pub const SCENES: [&str; 10] = [
     "sphere-168",
     "sphere-374",
     "sphere-690",
@@ -14,6 +14,8 @@ pub const SCENES: [&str; 8] = [
     "two-lights",
     "gem",
     "rings",
+    "spot",
+    "materials",
 ];
 
 /// A file in `scenes/`.

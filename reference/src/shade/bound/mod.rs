@@ -17,6 +17,7 @@
 pub mod field;
 pub mod power;
 
+use super::paint::is_plain;
 use crate::geometry::{Prepared, ScreenTriangle};
 use crate::scene::LightKind;
 use field::{half_way, Field};
@@ -178,10 +179,15 @@ impl Tables {
             specular: 0.0,
             diffuse: 0.0,
         };
-        for light in s.all_lights() {
+        if !is_plain(p, t) {
+            return None;
+        }
+        for light in s.reaching(&t.world).iter().map(|k| s.light(k).0) {
             let l = match light.kind {
                 LightKind::Directional { direction } => Field::constant(-direction),
-                LightKind::Point { position } => towards(position)?,
+                LightKind::Point { position, .. } | LightKind::Spot { position, .. } => {
+                    towards(position)?
+                }
             };
             let still = l.turn == 0.0;
             let weight = (light.colour * m.diffuse).max_element() * 255.0;
