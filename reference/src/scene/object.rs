@@ -2,6 +2,7 @@
 
 use super::read::Table;
 use super::{Material, Object, SceneError};
+use crate::mesh::pseudo_normals::Weighting;
 use crate::mesh::{self, Mesh};
 use crate::method::nearest;
 use glam::{DMat3, DMat4, DQuat, DVec3, EulerRot};
@@ -9,6 +10,7 @@ use std::path::Path;
 
 pub(super) const KEYS: &[&str] = &[
     "mesh",
+    "normals",
     "shape",
     "material",
     "translate",
@@ -45,6 +47,13 @@ pub(super) fn object(
             refuse_foreign(t, "mesh", &[])?;
             (file, from_file(t, file, scene)?)
         }
+        (None, Some(_)) if t.has("normals") => {
+            return Err(t.error(
+                "normals",
+                "does not belong to a shape",
+                "expected it only with a mesh",
+            ));
+        }
         (None, Some(shape)) => (shape, generated(t, shape)?),
         (None, None) => {
             return Err(t.missing("shape", "mesh = 'file' or shape = 'sphere' and the like"))
@@ -71,9 +80,11 @@ fn from_file(t: &Table<'_>, file: &str, scene: &Path) -> Result<Mesh, SceneError
         .extension()
         .map(|e| e.to_string_lossy().to_lowercase())
         .unwrap_or_default();
+    let weighting = t.word("normals", &Weighting::NAMES)?;
+    let weighting = weighting.and_then(|w| w.parse().ok()).unwrap_or_default();
     let mesh = match extension.as_str() {
-        "obj" => mesh::obj::load(&path),
-        "gltf" | "glb" => mesh::gltf::load(&path),
+        "obj" => mesh::obj::load(&path, weighting),
+        "gltf" | "glb" => mesh::gltf::load(&path, weighting),
         _ => {
             return Err(t.error(
                 "mesh",
