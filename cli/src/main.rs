@@ -4,6 +4,7 @@ mod args;
 mod compare;
 mod completions;
 mod cosim;
+mod frames;
 mod gen;
 mod list;
 mod man;

@@ -123,7 +123,7 @@ fn names() {
         "render ball.toml --no-skip hiden",
         &format!(
             "unknown skip 'hiden'; the nearest is 'hidden' of {}",
-            Skips::NAMES.join(", ")
+            shadegate_reference::Skips::NAMES.join(", ")
         ),
     );
     let core = "unknown core 'goraud'; the nearest is 'gouraud' of gouraud, quadratic";
@@ -177,6 +177,20 @@ fn numbers() {
             &format!("threads '{n}' cannot be used; expected a number from 1 to 1024"),
         );
     }
+    for n in ["0", "17", "two", "-1"] {
+        f.refuses(
+            &format!("render ball.toml --samples={n}"),
+            &format!("samples '{n}' cannot be used; expected a number from 1 to 16"),
+        );
+    }
+    f.refuses(
+        "render ball.toml --filter bax",
+        "unknown filter 'bax'; the nearest is 'box' of box, tent",
+    );
+    f.refuses(
+        "render ball.toml --frame 1",
+        "frame '1' cannot be drawn; the scene has only frame 0",
+    );
     for ns in ["0", "nan", "inf", "1e7", "soon", "0.01"] {
         f.refuses(
             &format!("gen gouraud --target xc7s50 --period {ns}"),

@@ -10,12 +10,16 @@ fn the_json_of_a_frame_has_the_documented_keys() {
     let f = Folder::new();
     let r = f.json("render ball.toml", 0);
     let documented = [
+        "filter",
+        "frame",
         "height",
         "method",
         "output",
         "pixels",
+        "samples",
         "scene",
         "skipped",
+        "subframes",
         "threads",
         "time_ns",
         "triangles",
@@ -96,6 +100,64 @@ fn skips_change_counts_and_not_the_frame() {
     assert!(with["skipped"]["back-face"].as_u64() > Some(0));
     assert!(without["skipped"]["back-face"].is_null());
     f.run("compare a.png b.png -q").code(0).stdout("");
+}
+
+/// The good scene, spinning: a box, since a ball shows nothing of it.
+fn spinning() -> String {
+    let spin = "[animation]\nframes = 3\nspin = { degrees = 45 }\nsubframes = 2\nshutter = 1\n";
+    common::GOOD.replace("sphere", "box") + spin
+}
+
+#[test]
+fn frames_of_a_scene_that_moves() {
+    let f = Folder::new();
+    f.write("spin.toml", &spinning());
+    let r = f.json("render spin.toml --frames --method flat -o a.png", 0);
+    assert_eq!((&r["frame"], &r["subframes"]), (&2.into(), &6.into()));
+    let files = ["a-0000.png", "a-0001.png", "a-0002.png"];
+    assert_eq!(r["outputs"].as_array().unwrap().len(), 3);
+    assert_eq!(
+        (&r["outputs"][0], &r["output"]),
+        (&files[0].into(), &files[2].into())
+    );
+    assert_eq!(f.names()[..3], files);
+    // One of them alone is the same picture, under its own name or the one that is wanted.
+    f.run("render spin.toml --frame 1 --method flat").code(0);
+    f.run("compare a-0001.png spin-flat-0001.png -q").code(0);
+    let text = f
+        .run("render spin.toml --frame 1 --method flat -o b.png")
+        .code(0);
+    let text = String::from_utf8(text.get_output().stdout.clone()).unwrap();
+    assert!(
+        text.starts_with("spin: 48x32, flat, frame 1 of 3\nsamples    1x1, box; 2 sub-frames\n"),
+        "{text}"
+    );
+    f.run("compare a-0001.png b.png -q").code(0);
+    f.run("compare a-0001.png a-0002.png -q").code(1);
+    f.run("render spin.toml --frame 3").code(2).stdout("");
+    f.run("render spin.toml --frames --frame 1")
+        .code(2)
+        .stdout("");
+}
+
+#[test]
+fn samples_and_filters() {
+    let f = Folder::new();
+    let r = f.json("render ball.toml --samples 3 --filter tent -o a.png", 0);
+    assert_eq!((&r["samples"], &r["filter"]), (&3.into(), &"tent".into()));
+    assert_eq!((&r["width"], &r["subframes"]), (&48.into(), &1.into()));
+    let one = f.json("render ball.toml -o b.png", 0);
+    let pixels = |r: &serde_json::Value| r["pixels"]["written"].as_f64().unwrap();
+    assert!((pixels(&r) / pixels(&one) - 9.0).abs() < 0.5);
+    // Between the ball and the background there is now something.
+    let grey = image::open(f.0.path().join("a.png")).unwrap().into_rgb8();
+    assert!(grey.pixels().filter(|p| (1..20).contains(&p[0])).count() > 10);
+    f.write(
+        "fine.toml",
+        &(common::GOOD.to_owned() + "[render]\nsamples = 3\nfilter = \"tent\"\n"),
+    );
+    f.run("render fine.toml -o c.png").code(0);
+    f.run("compare a.png c.png -q").code(0);
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Scenes, geometry and exact shading: what a perfect renderer would draw, and what each shading method draws instead.
 //! Knows no hardware.
 
+pub mod animation;
 pub mod depth;
 pub mod geometry;
 pub mod mesh;
@@ -8,6 +9,7 @@ pub mod method;
 mod parallel;
 pub mod raster;
 pub mod render;
+pub mod sample;
 pub mod scene;
 pub mod shade;
 pub mod skips;

@@ -33,6 +33,9 @@ pub const PRODUCTS_ENOUGH: &str = "products-enough";
 pub const SPECULAR: &str = "specular";
 /// A triangle shaded per pixel by `auto` to which no light comes.
 pub const DIFFUSE: &str = "diffuse";
+/// A sub-frame of a frame in which nothing moves by as much as a pixel while the shutter is open: drawn once, still, with
+/// everything less than a pixel from where it would be.
+pub const BLUR: &str = "blur";
 /// A triangle without area, in the mesh or after snapping. Always skipped: there is nothing to draw.
 pub const DEGENERATE: &str = "degenerate";
 /// A triangle of which the near plane, the far plane or the guard band leaves nothing. Always skipped as well.
@@ -53,6 +56,7 @@ const NAMES: [&str; 14] = [
     PRODUCTS_ENOUGH,
     SPECULAR,
     DIFFUSE,
+    BLUR,
 ];
 
 /// Which skips are switched on.

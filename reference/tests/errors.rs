@@ -76,7 +76,7 @@ fn every_error_names_file_line_field_and_what_would_do() {
     // What to replace in the good scene, by what, and the error.
     let cases = [
         ("width = 64", "widht = 64", "s.toml:2: image.widht: unknown key; the nearest known key is 'width' of width, height, background"),
-        ("[image]", "[imago]", "s.toml:1: imago: unknown key; the nearest known key is 'image' of image, camera, light, material, object, render"),
+        ("[image]", "[imago]", "s.toml:1: imago: unknown key; the nearest known key is 'image' of image, camera, light, material, object, render, animation"),
         ("fov = 40", "fow = 40", "s.toml:8: camera.fow: unknown key; the nearest known key is 'fov' of eye, target, up, fov, height, near, far"),
         ("name = \"clay\"", "name = \"clay\"\nshinyness = 3", "s.toml:16: material[0].shinyness: unknown key; the nearest known key is 'shininess' of name, brdf, ambient, diffuse, specular, shininess, highlight, degree, roughness, f0, emission, shadow"),
         ("width = 64\n", "", "s.toml:1: image.width: missing; expected an integer from 1 to 16384"),
@@ -105,6 +105,19 @@ fn every_error_names_file_line_field_and_what_would_do() {
         ("shape = \"sphere\"", "mesh = \"none.obj\"", "s.toml:18: object[0].mesh: none.obj: cannot be read (No such file or directory (os error 2)); expected a readable OBJ file"),
         ("shape = \"sphere\"", "mesh = \"none.stl\"", "s.toml:18: object[0].mesh: 'none.stl' has no known ending; expected a file ending in .obj, .gltf or .glb"),
         ("[[light]]", "[render]\nmethod = \"exakt\"\n[[light]]", "s.toml:11: render.method: unknown 'exakt'; the nearest is 'exact' of METHODS"),
+        ("[[light]]", "[render]\nsamples = 17\n[[light]]", "s.toml:11: render.samples: is 17; expected an integer from 1 to 16"),
+        ("[[light]]", "[render]\nfilter = \"bax\"\n[[light]]", "s.toml:11: render.filter: unknown 'bax'; the nearest is 'box' of box, tent"),
+        ("shape = \"sphere\"", "shape = \"sphere\"\nnormals = \"area\"", "s.toml:19: object[0].normals: does not belong to a shape; expected it only with a mesh"),
+        ("shape = \"sphere\"", "mesh = \"x.obj\"\nnormals = \"angel\"", "s.toml:19: object[0].normals: unknown 'angel'; the nearest is 'angle' of face, uniform, area, angle"),
+        ("material = \"clay\"", "[animation]", "s.toml:19: animation.frames: missing; expected an integer from 1 to 100000"),
+        ("material = \"clay\"", "[animation]\nframes = 0", "s.toml:20: animation.frames: is 0; expected an integer from 1 to 100000"),
+        ("material = \"clay\"", "[animation]\nframes = 2\nspin = { axis = [0, 0, 0] }", "s.toml:21: animation.spin.axis: has no length; expected a direction such as [0, 1, 0]"),
+        ("material = \"clay\"", "[animation]\nframes = 2\nshutter = 2", "s.toml:21: animation.shutter: is 2; expected a number from 0 to 1, in frames"),
+        ("material = \"clay\"", "[animation]\nframes = 2\nsubframes = 257", "s.toml:21: animation.subframes: is 257; expected an integer from 1 to 256"),
+        ("material = \"clay\"", "[animation]\nframes = 2\n[[animation.object]]\nobject = 1\ntime = 0", "s.toml:22: animation.object[0].object: is 1; expected an integer from 0 to 0"),
+        ("material = \"clay\"", "[animation]\nframes = 2\n[[animation.object]]\nobject = 0", "s.toml:21: animation.object[0].time: missing; expected a number of frames"),
+        ("material = \"clay\"", "[animation]\nframes = 2\n[[animation.camera]]\ntime = 0\n[[animation.camera]]\ntime = 0", "s.toml:24: animation.camera[1].time: is 0, as of a key before; expected a time of its own"),
+        ("material = \"clay\"", "[animation]\nframes = 2\n[[animation.camera]]\ntime = 0\ntarget = [0, 0, 5]", "s.toml:23: animation.camera[0].target: is where the eye is; expected a point apart from camera.eye"),
         ("[[object]]\nshape = \"sphere\"\nmaterial = \"clay\"", "", "s.toml:1: object: missing; expected at least one table [[object]]"),
     ];
     for (from, to, want) in cases {

@@ -7,12 +7,17 @@
 
 mod common;
 
-use common::{draw, prepare};
-use shadegate_reference::{Frame, Method};
+use common::{draw, load, prepare};
+use shadegate_reference::animation::Player;
+use shadegate_reference::sample::{self, Filter, Wanted};
+use shadegate_reference::{Frame, Method, RenderOptions};
 use std::path::PathBuf;
 
 fn check(name: &str) {
-    let frame = draw(&prepare(name, Some((96, 72))), Method::Exact);
+    check_frame(name, &draw(&prepare(name, Some((96, 72))), Method::Exact));
+}
+
+fn check_frame(name: &str, frame: &Frame) {
     let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("tests/golden/{name}.png"));
     if std::env::var_os("SHADEGATE_BLESS").is_some() {
         frame.save_png(&file).unwrap();
@@ -66,4 +71,18 @@ fn spot() {
 #[test]
 fn materials() {
     check("materials");
+}
+
+/// Supersampling, motion blur and all that moves, in one frame.
+#[test]
+fn spin() {
+    let wanted = Wanted {
+        size: Some((96, 72)),
+        method: Method::Exact,
+        samples: 3,
+        filter: Filter::Tent,
+        options: RenderOptions::default(),
+    };
+    let drawn = sample::draw(&mut Player::new(load("spin")), 7, &wanted).unwrap();
+    check_frame("spin", &drawn.frame);
 }

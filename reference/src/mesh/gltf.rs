@@ -1,6 +1,7 @@
 //! glTF 2.0 and GLB: the triangles of the default scene, nodes' transforms applied. Materials and cameras of the file
 //! are not used. Buffers may be the GLB's own, `data:` URIs or files beside the mesh.
 
+use super::pseudo_normals::{pseudo_normals, Weighting};
 use super::{Mesh, MeshError};
 use glam::{DMat4, DVec3};
 use std::path::Path;
@@ -9,21 +10,21 @@ fn broken(what: impl Into<String>) -> MeshError {
     MeshError::new(what, "expected glTF 2.0 with triangles")
 }
 
-/// Reads a glTF or GLB file.
+/// Reads a glTF or GLB file; primitives without normals get them by `weighting`.
 ///
 /// # Errors
 /// What is wrong.
-pub fn load(path: &Path) -> Result<Mesh, MeshError> {
+pub fn load(path: &Path, weighting: Weighting) -> Result<Mesh, MeshError> {
     let bytes = std::fs::read(path).map_err(|e| {
         MeshError::new(
             format!("cannot be read ({e})"),
             "expected a readable glTF file",
         )
     })?;
-    parse(&bytes, path)
+    parse(&bytes, path, weighting)
 }
 
-fn parse(bytes: &[u8], path: &Path) -> Result<Mesh, MeshError> {
+fn parse(bytes: &[u8], path: &Path, weighting: Weighting) -> Result<Mesh, MeshError> {
     let unreadable = |e: gltf::Error| broken(format!("not readable ({e})"));
     let unchecked = gltf::Gltf::from_slice_without_validation(bytes).map_err(unreadable)?;
     check_attributes(&unchecked)?;
@@ -54,7 +55,7 @@ fn parse(bytes: &[u8], path: &Path) -> Result<Mesh, MeshError> {
         let own = DMat4::from_cols_array_2d(&node.transform().matrix().map(|c| c.map(f64::from)));
         let to_root = above * own;
         for primitive in node.mesh().iter().flat_map(gltf::Mesh::primitives) {
-            add(&mut mesh, &primitive, to_root, &buffers)?;
+            add(&mut mesh, &primitive, to_root, &buffers, weighting)?;
         }
         todo.extend(node.children().map(|c| (c, to_root)));
     }
@@ -162,6 +163,7 @@ fn add(
     p: &gltf::Primitive<'_>,
     to_root: DMat4,
     buffers: &[Vec<u8>],
+    weighting: Weighting,
 ) -> Result<(), MeshError> {
     if p.mode() != gltf::mesh::Mode::Triangles {
         return Err(broken(format!("a primitive of {:?}", p.mode())));
@@ -225,7 +227,7 @@ fn add(
             part.normals = normals.map(|v| turn * vector(v)).collect();
             part.normals.resize(part.positions.len(), DVec3::ZERO);
         }
-        None => part.smooth(),
+        None => part.normals = pseudo_normals(&part, weighting),
     }
     let first = mesh.positions.len() as u32;
     mesh.positions.extend(part.positions);
@@ -257,10 +259,10 @@ mod tests {
     fn damaged_files_are_refused_and_never_panic() {
         let good = include_bytes!("../../../scenes/meshes/ring.glb");
         let here = Path::new("ring.glb");
-        let whole = parse(good, here).unwrap();
+        let whole = parse(good, here, Weighting::default()).unwrap();
         assert_eq!(whole.check(), Ok(()));
         for cut in (0..good.len()).step_by(7) {
-            assert!(parse(&good[..cut], here).is_err());
+            assert!(parse(&good[..cut], here, Weighting::default()).is_err());
         }
         let mut seed = 1u32;
         for _ in 0..3000 {
@@ -270,7 +272,7 @@ mod tests {
                 let at = (seed >> 8) as usize % bad.len();
                 bad[at] = (seed >> 3) as u8;
             }
-            let _ = parse(&bad, here).map(|m| m.check());
+            let _ = parse(&bad, here, Weighting::default()).map(|m| m.check());
         }
     }
 }

@@ -1,12 +1,15 @@
 //! Triangle meshes: read from files or generated. Vertices turn counter-clockwise seen from outside.
 
 pub mod gltf;
+pub mod newell;
 pub mod obj;
+pub mod pseudo_normals;
 pub mod solids;
 pub mod sphere;
 pub mod teapot;
 mod teapot_data;
 pub mod torus;
+pub mod triangulate;
 
 use glam::DVec3;
 
@@ -88,21 +91,6 @@ impl Mesh {
         }
         Ok(())
     }
-
-    /// Replaces the normals by the sum of the neighbouring faces' normals, weighted by area; vertices at one index
-    /// share one normal.
-    pub fn smooth(&mut self) {
-        let mut sum = vec![DVec3::ZERO; self.positions.len()];
-        for t in &self.triangles {
-            let [a, b, c] = t.map(|i| self.positions[i as usize]);
-            // Twice the area times the unit normal.
-            let n = (b - a).cross(c - a);
-            for i in t {
-                sum[*i as usize] += n;
-            }
-        }
-        self.normals = sum.into_iter().map(DVec3::normalize_or_zero).collect();
-    }
 }
 
 /// Closed and outward: every directed edge has exactly one partner the other way (vertices compared by position), and
@@ -169,34 +157,5 @@ mod tests {
             m.check().unwrap_err().to_string(),
             "vertex 1 is not finite; expected finite positions and normals"
         );
-    }
-
-    #[test]
-    fn smooth_normals_are_weighted_by_area() {
-        let mut m = solids::cube(1);
-        // Weld the corners so that faces share them.
-        let corners: Vec<DVec3> = m.positions.clone();
-        let mut unique: Vec<DVec3> = Vec::new();
-        let index: Vec<u32> = corners
-            .iter()
-            .map(|p| match unique.iter().position(|q| q == p) {
-                Some(i) => i as u32,
-                None => {
-                    unique.push(*p);
-                    unique.len() as u32 - 1
-                }
-            })
-            .collect();
-        m.triangles = m
-            .triangles
-            .iter()
-            .map(|t| t.map(|i| index[i as usize]))
-            .collect();
-        m.positions = unique;
-        m.smooth();
-        assert_eq!(m.normals.len(), 8);
-        for (p, n) in m.positions.iter().zip(&m.normals) {
-            assert!(n.dot(p.normalize()) > 0.8, "{p} {n}");
-        }
     }
 }

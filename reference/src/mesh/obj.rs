@@ -1,10 +1,12 @@
-//! Wavefront OBJ: `v`, `vn` and `f` (polygons as fans; indices from 1, or negative from the end), read by `tobj`.
+//! Wavefront OBJ: `v`, `vn` and `f` (polygons are cut; indices from 1, or negative from the end), read by `tobj`.
 //! Everything else in a file is passed over: it is taken out before the library sees it, since the library would
 //! split the mesh at groups and texture seams, and refuse what does not matter here. When it refuses a file, or is
 //! more lenient than this crate, [`diagnose`] looks for the line.
 
 mod diagnose;
 
+use super::pseudo_normals::{pseudo_normals, Weighting};
+use super::triangulate::triangulate;
 use super::{Mesh, MeshError};
 use glam::DVec3;
 use std::fmt::Write;
@@ -13,18 +15,18 @@ use std::path::Path;
 /// Longer numbers cannot be indices, and the arithmetic of the library is not made for them.
 const INDEX_LENGTH: usize = 11;
 
-/// Reads an OBJ file.
+/// Reads an OBJ file; corners without a normal get one by `weighting`.
 ///
 /// # Errors
 /// What is wrong, with its line.
-pub fn load(path: &Path) -> Result<Mesh, MeshError> {
+pub fn load(path: &Path, weighting: Weighting) -> Result<Mesh, MeshError> {
     let bytes = std::fs::read(path).map_err(|e| {
         MeshError::new(
             format!("cannot be read ({e})"),
             "expected a readable OBJ file",
         )
     })?;
-    parse(&String::from_utf8_lossy(&bytes))
+    parse(&String::from_utf8_lossy(&bytes), weighting)
 }
 
 /// The words of each line, comments left out.
@@ -87,10 +89,34 @@ fn vectors(flat: &[f64]) -> Vec<DVec3> {
     flat.chunks_exact(3).map(DVec3::from_slice).collect()
 }
 
+/// The faces as triangles. What does not bound an area once, such as a polygon that crosses itself, becomes the fan of its
+/// first corner.
+fn triangles(positions: &[DVec3], mesh: &tobj::Mesh) -> Vec<[u32; 3]> {
+    let mut all = Vec::with_capacity(mesh.indices.len() / 3);
+    let mut rest = mesh.indices.as_slice();
+    // Where all faces are triangles, nothing is said about their numbers of corners.
+    let mut arities = mesh.face_arities.iter();
+    while !rest.is_empty() {
+        let n = arities.next().map_or(3, |n| *n as usize).min(rest.len());
+        let (face, others) = rest.split_at(n);
+        rest = others;
+        if let [a, b, c] = *face {
+            all.push([a, b, c]);
+            continue;
+        }
+        let corner = |i: &u32| positions.get(*i as usize).copied().unwrap_or(DVec3::NAN);
+        let corners: Vec<DVec3> = face.iter().map(corner).collect();
+        match triangulate(&corners) {
+            Ok(cut) => all.extend(cut.iter().map(|t| t.map(|k| face[k]))),
+            Err(_) => all.extend((2..n).map(|k| [face[0], face[k - 1], face[k]])),
+        }
+    }
+    all
+}
+
 /// Reads what [`relevant`] left.
 fn read(relevant: &str) -> Result<Mesh, tobj::LoadError> {
     let options = tobj::LoadOptions {
-        triangulate: true,
         single_index: true,
         ..tobj::LoadOptions::default()
     };
@@ -100,19 +126,15 @@ fn read(relevant: &str) -> Result<Mesh, tobj::LoadError> {
     let Some(model) = models.into_iter().next() else {
         return Ok(Mesh::default());
     };
+    let positions = vectors(&model.mesh.positions);
     Ok(Mesh {
-        positions: vectors(&model.mesh.positions),
+        triangles: triangles(&positions, &model.mesh),
+        positions,
         normals: vectors(&model.mesh.normals),
-        triangles: model
-            .mesh
-            .indices
-            .chunks_exact(3)
-            .map(|t| [t[0], t[1], t[2]])
-            .collect(),
     })
 }
 
-fn parse(text: &str) -> Result<Mesh, MeshError> {
+fn parse(text: &str, weighting: Weighting) -> Result<Mesh, MeshError> {
     let refused = |why: String| {
         diagnose::first_fault(text).unwrap_or_else(|| {
             MeshError::new(format!("not readable ({why})"), "expected Wavefront OBJ")
@@ -127,12 +149,11 @@ fn parse(text: &str) -> Result<Mesh, MeshError> {
         return Err(refused("not finite".to_owned()));
     }
     if mesh.normals.contains(&DVec3::ZERO) {
-        // Smooth what has no normals; keep the normals that were given.
-        let given = std::mem::take(&mut mesh.normals);
-        mesh.smooth();
-        for (n, g) in mesh.normals.iter_mut().zip(given) {
-            if g != DVec3::ZERO {
-                *n = g;
+        // Normals for what has none; those that were given are kept.
+        let made = pseudo_normals(&mesh, weighting);
+        for (n, made) in mesh.normals.iter_mut().zip(made) {
+            if *n == DVec3::ZERO {
+                *n = made;
             }
         }
     }

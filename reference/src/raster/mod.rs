@@ -1,9 +1,11 @@
 //! Screen-space triangles as pixels: which centres a triangle covers, and the exact integer walk that visits them.
 
+pub mod constant_depth;
 pub mod coverage;
 pub mod touch;
 pub mod walk;
 
+pub use constant_depth::{constant_depth, ConstantDepth};
 pub use coverage::covers;
 pub use touch::covers_any;
 pub use walk::{EdgeDda, Span, Walk};

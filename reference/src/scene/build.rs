@@ -6,6 +6,7 @@ use super::read::{Document, Table};
 use super::{light, Camera, Image, Projection, Render, Scene, SceneError, IMAGE_LIMIT};
 use crate::mesh::TRIANGLE_LIMIT;
 use crate::method::Method;
+use crate::sample::{Filter, SAMPLE_LIMIT};
 use glam::DVec3;
 use std::path::Path;
 use toml::de::DeTable;
@@ -29,7 +30,15 @@ pub(super) fn parse(path: &Path, text: &str) -> Result<Scene, SceneError> {
         let line = e.span().map_or(1, |s| doc.line(s.start));
         doc.error(line, "scene", e.message(), "expected TOML 1.0")
     })?;
-    let known = ["image", "camera", "light", "material", "object", "render"];
+    let known = [
+        "image",
+        "camera",
+        "light",
+        "material",
+        "object",
+        "render",
+        "animation",
+    ];
     let root = Table::new(doc, root.get_ref(), "", 1, &known)?;
 
     let image = image(&root)?;
@@ -40,8 +49,8 @@ pub(super) fn parse(path: &Path, text: &str) -> Result<Scene, SceneError> {
         .map(light::light)
         .collect::<Result<_, _>>()?;
     let materials = materials(&root)?;
-    let objects = root
-        .tables("object", super::object::KEYS)?
+    let object_tables = root.tables("object", super::object::KEYS)?;
+    let objects = object_tables
         .iter()
         .map(|t| object(t, path, &materials))
         .collect::<Result<Vec<_>, _>>()?;
@@ -56,10 +65,7 @@ pub(super) fn parse(path: &Path, text: &str) -> Result<Scene, SceneError> {
             &format!("expected at most {TRIANGLE_LIMIT}"),
         ));
     }
-    let method = match root.table("render", &["method"])? {
-        Some(t) => t.word("method", Method::NAMES)?,
-        None => None,
-    };
+    let animation = super::animation::animation(&root, &camera, &object_tables)?;
     Ok(Scene {
         name: path
             .file_stem()
@@ -70,12 +76,32 @@ pub(super) fn parse(path: &Path, text: &str) -> Result<Scene, SceneError> {
         lights,
         materials,
         objects,
-        render: Render {
-            method: method
-                .and_then(|m| m.parse().ok())
-                .unwrap_or(Method::Quadratic),
-        },
+        render: render(&root)?,
+        animation,
     })
+}
+
+fn render(root: &Table<'_>) -> Result<Render, SceneError> {
+    let mut render = Render::default();
+    let Some(t) = root.table("render", &["method", "samples", "filter"])? else {
+        return Ok(render);
+    };
+    if let Some(m) = t
+        .word("method", Method::NAMES)?
+        .and_then(|m| m.parse().ok())
+    {
+        render.method = m;
+    }
+    if let Some(n) = t.integer("samples", 1, SAMPLE_LIMIT)? {
+        render.samples = n;
+    }
+    if let Some(f) = t
+        .word("filter", &Filter::NAMES)?
+        .and_then(|f| f.parse().ok())
+    {
+        render.filter = f;
+    }
+    Ok(render)
 }
 
 fn image(root: &Table<'_>) -> Result<Image, SceneError> {
@@ -113,28 +139,7 @@ fn camera(root: &Table<'_>) -> Result<Camera, SceneError> {
     };
     let (eye, target) = (need("eye")?, need("target")?);
     let up = t.vector("up")?.unwrap_or(DVec3::Y);
-    let view = target - eye;
-    if view.length() < 1e-9 {
-        return Err(t.error(
-            "target",
-            "is where the eye is",
-            "expected a point apart from camera.eye",
-        ));
-    }
-    if up.length() < 1e-9 {
-        return Err(t.error(
-            "up",
-            "has no length",
-            "expected a direction such as [0, 1, 0]",
-        ));
-    }
-    if view.normalize().cross(up.normalize()).length() < 1e-9 {
-        return Err(t.error(
-            "up",
-            "is parallel to the view",
-            "expected a direction across target - eye",
-        ));
-    }
+    check_view(&t, eye, target, up)?;
     let fov = t.number_if("fov", "degrees above 0 and below 180", |x| {
         x > 0.0 && x < 180.0
     })?;
@@ -173,4 +178,36 @@ fn camera(root: &Table<'_>) -> Result<Camera, SceneError> {
         near,
         far,
     })
+}
+
+/// Refuses views that look nowhere or along their up; `t` has the keys `target` and `up`.
+pub(super) fn check_view(
+    t: &Table<'_>,
+    eye: DVec3,
+    target: DVec3,
+    up: DVec3,
+) -> Result<(), SceneError> {
+    let view = target - eye;
+    if view.length() < 1e-9 {
+        return Err(t.error(
+            "target",
+            "is where the eye is",
+            "expected a point apart from camera.eye",
+        ));
+    }
+    if up.length() < 1e-9 {
+        return Err(t.error(
+            "up",
+            "has no length",
+            "expected a direction such as [0, 1, 0]",
+        ));
+    }
+    if view.normalize().cross(up.normalize()).length() < 1e-9 {
+        return Err(t.error(
+            "up",
+            "is parallel to the view",
+            "expected a direction across target - eye",
+        ));
+    }
+    Ok(())
 }

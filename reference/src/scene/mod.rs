@@ -1,5 +1,6 @@
 //! Scenes: what there is to draw, read from TOML (design.md section 6) and checked so that nothing later has to.
 
+mod animation;
 mod build;
 mod error;
 mod light;
@@ -12,8 +13,10 @@ pub use error::SceneError;
 pub use light::{Attenuation, Falloff, Light, LightKind, SpotWidth};
 pub use material::{Brdf, Highlight, Material};
 
+use crate::animation::Animation;
 use crate::mesh::Mesh;
 use crate::method::Method;
+use crate::sample::Filter;
 use glam::{DMat4, DVec3};
 use std::path::PathBuf;
 
@@ -39,6 +42,8 @@ pub struct Scene {
     pub objects: Vec<Object>,
     /// What the scene asks to be drawn with.
     pub render: Render,
+    /// How it moves.
+    pub animation: Option<Animation>,
 }
 
 /// Size and background of the frame.
@@ -102,4 +107,18 @@ pub struct Object {
 pub struct Render {
     /// The method; `quadratic` unless said otherwise.
     pub method: Method,
+    /// Samples in each direction of a pixel; 1 unless said otherwise.
+    pub samples: u32,
+    /// How they are weighted.
+    pub filter: Filter,
+}
+
+impl Default for Render {
+    fn default() -> Self {
+        Self {
+            method: Method::Quadratic,
+            samples: 1,
+            filter: Filter::default(),
+        }
+    }
 }

@@ -2,6 +2,7 @@
 
 use super::read::Table;
 use super::{Material, Object, SceneError};
+use crate::mesh::pseudo_normals::Weighting;
 use crate::mesh::{self, Mesh};
 use crate::method::nearest;
 use glam::{DMat3, DMat4, DQuat, DVec3, EulerRot};
@@ -9,6 +10,7 @@ use std::path::Path;
 
 pub(super) const KEYS: &[&str] = &[
     "mesh",
+    "normals",
     "shape",
     "material",
     "translate",
@@ -45,6 +47,13 @@ pub(super) fn object(
             refuse_foreign(t, "mesh", &[])?;
             (file, from_file(t, file, scene)?)
         }
+        (None, Some(_)) if t.has("normals") => {
+            return Err(t.error(
+                "normals",
+                "does not belong to a shape",
+                "expected it only with a mesh",
+            ));
+        }
         (None, Some(shape)) => (shape, generated(t, shape)?),
         (None, None) => {
             return Err(t.missing("shape", "mesh = 'file' or shape = 'sphere' and the like"))
@@ -71,9 +80,11 @@ fn from_file(t: &Table<'_>, file: &str, scene: &Path) -> Result<Mesh, SceneError
         .extension()
         .map(|e| e.to_string_lossy().to_lowercase())
         .unwrap_or_default();
+    let weighting = t.word("normals", &Weighting::NAMES)?;
+    let weighting = weighting.and_then(|w| w.parse().ok()).unwrap_or_default();
     let mesh = match extension.as_str() {
-        "obj" => mesh::obj::load(&path),
-        "gltf" | "glb" => mesh::gltf::load(&path),
+        "obj" => mesh::obj::load(&path, weighting),
+        "gltf" | "glb" => mesh::gltf::load(&path, weighting),
         _ => {
             return Err(t.error(
                 "mesh",
@@ -149,21 +160,33 @@ fn generated(t: &Table<'_>, shape: &str) -> Result<Mesh, SceneError> {
     })
 }
 
-fn transform(t: &Table<'_>) -> Result<DMat4, SceneError> {
-    let translate = t.vector("translate")?.unwrap_or(DVec3::ZERO);
-    let rotate = t
-        .vector_if("rotate", "three angles [x, y, z] in degrees", false, |_| {
-            true
-        })?
-        .unwrap_or(DVec3::ZERO);
+/// What the object is moved by.
+pub(super) fn translation(t: &Table<'_>) -> Result<DVec3, SceneError> {
+    Ok(t.vector("translate")?.unwrap_or(DVec3::ZERO))
+}
+
+/// How it is turned: about x first, then y, then z.
+pub(super) fn rotation(t: &Table<'_>) -> Result<DQuat, SceneError> {
+    let accepted = "three angles [x, y, z] in degrees";
+    let rotate = t.vector_if("rotate", accepted, false, |_| true)?;
+    let [x, y, z] = rotate
+        .unwrap_or(DVec3::ZERO)
+        .to_array()
+        .map(f64::to_radians);
+    Ok(DQuat::from_euler(EulerRot::ZYX, z, y, x))
+}
+
+/// What it is scaled by, before all else.
+pub(super) fn scale(t: &Table<'_>) -> Result<DVec3, SceneError> {
     let accepted = "a number or [x, y, z], each of size 1e-6 to 1e6";
-    let scale = t
-        .vector_if("scale", accepted, true, |x| (1e-6..=1e6).contains(&x.abs()))?
-        .unwrap_or(DVec3::ONE);
-    // Turned about x first, then y, then z.
-    let [x, y, z] = rotate.to_array().map(f64::to_radians);
-    let turn = DMat3::from_quat(DQuat::from_euler(EulerRot::ZYX, z, y, x));
-    Ok(DMat4::from_translation(translate) * DMat4::from_mat3(turn * DMat3::from_diagonal(scale)))
+    let scale = t.vector_if("scale", accepted, true, |x| (1e-6..=1e6).contains(&x.abs()))?;
+    Ok(scale.unwrap_or(DVec3::ONE))
+}
+
+fn transform(t: &Table<'_>) -> Result<DMat4, SceneError> {
+    let (translate, turn) = (translation(t)?, DMat3::from_quat(rotation(t)?));
+    let linear = turn * DMat3::from_diagonal(scale(t)?);
+    Ok(DMat4::from_translation(translate) * DMat4::from_mat3(linear))
 }
 
 fn material(t: &Table<'_>, materials: &[Material]) -> Result<usize, SceneError> {

@@ -2,6 +2,10 @@
 
 use super::*;
 
+fn parse(text: &str) -> Result<Mesh, MeshError> {
+    super::parse(text, Weighting::default())
+}
+
 fn error(text: &str) -> String {
     parse(text).unwrap_err().to_string()
 }
@@ -93,6 +97,39 @@ fn polygons_become_fans_and_normals_smooth() {
     let m = parse("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf -4 -3 -2 -1\n").unwrap();
     assert_eq!(m.triangles, [[0, 1, 2], [0, 2, 3]]);
     assert!(m.normals.iter().all(|n| *n == DVec3::Z));
+}
+
+/// A concave face is covered once, whichever corner comes first; one that crosses itself is still read.
+#[test]
+fn polygons_are_cut_inside() {
+    let corners = ["0 0 0", "4 0 0", "4 4 0", "2 1 0", "0 4 0"];
+    for first in 0..5 {
+        let mut text = String::new();
+        for k in 0..5 {
+            text += &format!("v {}\n", corners[(first + k) % 5]);
+        }
+        let m = parse(&(text + "v 9 9 9\nf 1 2 3 4 5\nf 1 2 6\n")).unwrap();
+        assert_eq!(m.triangles.len(), 4);
+        let area = |t: &[u32; 3]| {
+            let [a, b, c] = t.map(|i| m.positions[i as usize]);
+            (b - a).cross(c - a).z / 2.0
+        };
+        assert!(m.triangles[..3].iter().all(|t| area(t) > 0.0));
+        assert_eq!(m.triangles[..3].iter().map(area).sum::<f64>(), 10.0);
+    }
+    let m = parse("v 0 0 0\nv 3 0 0\nv 0 2 0\nv 3 2 0\nv 1 5 0\nf 1 2 3 4 5\n").unwrap();
+    assert_eq!(m.triangles, [[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
+}
+
+#[test]
+fn missing_normals_are_made_as_wanted() {
+    // Two faces of unequal area at a right angle.
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -3\nf 1 2 3\nf 1 2 4\n";
+    let at = |w| super::parse(text, w).unwrap().normals[0];
+    assert!(at(Weighting::Uniform).distance(DVec3::new(0.0, 1.0, 1.0).normalize()) < 1e-12);
+    assert!(at(Weighting::Area).distance(DVec3::new(0.0, 3.0, 1.0).normalize()) < 1e-12);
+    assert!(at(Weighting::Angle).distance(DVec3::new(0.0, 1.0, 1.0).normalize()) < 1e-12);
+    assert_eq!(at(Weighting::Face), DVec3::ZERO);
 }
 
 /// Given normals are kept and missing ones made; the rest of the format neither splits vertices nor stops the reader.
