@@ -3,6 +3,7 @@
 
 pub mod depth;
 pub mod geometry;
+pub mod line;
 pub mod mesh;
 pub mod method;
 mod parallel;
