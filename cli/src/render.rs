@@ -2,15 +2,14 @@
 
 use crate::args::Global;
 use crate::measures::{duration, error_json, error_text};
-use crate::names::{method, methods, Offer};
+use crate::names::{antialiasing, method, methods, Offer};
 use crate::outcome::{Failure, Outcome, Report};
 use crate::progress::Progress;
 use crate::{output, size};
 use clap::Args;
 use serde_json::{json, Value};
-use shadegate_reference::{
-    render, scene, Frame, Method, Prepared, RenderOptions, RenderStats, Skips,
-};
+use shadegate_reference::antialias::{self, skips_for, Antialias};
+use shadegate_reference::{scene, Frame, Method, Prepared, RenderOptions, RenderStats, Skips};
 use shadegate_testbench::compare::{compare, save_png, Comparison, Rgb8Ref};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -36,12 +35,15 @@ pub struct RenderArgs {
     /// Picture to write [default: <SCENE>-<METHOD>.png in the current directory]
     #[arg(short, long, value_name = "FILE.png")]
     output: Option<PathBuf>,
-    /// Method to measure the error against; `exact` is the truth
+    /// Method to measure the error against, anti-aliased likewise; `exact` is the truth
     #[arg(long, value_parser = Offer(methods), value_name = "METHOD")]
     against: Option<String>,
     /// Largest error of method `auto`, in 255ths of full scale, beside the rounding to a byte [default: 1]
     #[arg(long, value_name = "LSB")]
     max_error: Option<String>,
+    /// Anti-aliasing of the edges of polygons [default: the scene's]
+    #[arg(long, value_parser = Offer(antialiasing), value_name = "NAME")]
+    antialias: Option<String>,
     /// Skips to switch off, separated by commas, or all; `shadegate list skips` names them
     #[arg(long, value_name = "LIST")]
     no_skip: Option<String>,
@@ -51,6 +53,7 @@ pub struct RenderArgs {
 struct Drawn {
     prepared: Prepared,
     method: Method,
+    antialias: Antialias,
     stats: RenderStats,
     setup_ns: u64,
     total_ns: u64,
@@ -61,6 +64,12 @@ struct Drawn {
 pub fn run(a: &RenderArgs, global: Global) -> Outcome {
     let wanted = a.method.as_deref().map(method).transpose()?;
     let against = a.against.as_deref().map(method).transpose()?;
+    let antialias = a
+        .antialias
+        .as_deref()
+        .map(str::parse)
+        .transpose()
+        .map_err(Failure::input)?;
     let size = a.size.as_deref().map(size::parse).transpose()?;
     let threads = a.threads.as_deref().map(parse_threads).transpose()?;
     let max_error = a.max_error.as_deref().map(parse_error).transpose()?;
@@ -85,6 +94,7 @@ pub fn run(a: &RenderArgs, global: Global) -> Outcome {
             "max-error is a wish to method 'auto', not to '{method}'; expected --method auto with it"
         )));
     }
+    let antialias = antialias.unwrap_or(scene.render.antialias);
     let options = RenderOptions {
         threads,
         skips,
@@ -93,15 +103,18 @@ pub fn run(a: &RenderArgs, global: Global) -> Outcome {
     };
     progress.say(format!("drawing {} with {method}", scene.name));
     let begin = Instant::now();
+    let skips = skips_for(antialias, skips);
     let prepared = Prepared::new(&scene, size, &skips).map_err(Failure::input)?;
     let prepare_ns = nanoseconds(begin);
-    let (frame, stats) = render(&prepared, method, &options);
+    let draw =
+        |method| antialias::draw(&prepared, method, antialias, &options).map_err(Failure::input);
+    let (frame, stats) = draw(method)?;
     let total_ns = nanoseconds(begin);
     let error = match against {
         None => None,
         Some(m) => {
             progress.say(format!("comparing with {m}"));
-            let (truth, _) = render(&prepared, m, &options);
+            let (truth, _) = draw(m)?;
             let apart = compare(view(&truth)?, view(&frame)?).map_err(Failure::input)?;
             Some((m, apart))
         }
@@ -111,6 +124,7 @@ pub fn run(a: &RenderArgs, global: Global) -> Outcome {
     let drawn = Drawn {
         prepared,
         method,
+        antialias,
         setup_ns: prepare_ns + stats.setup_ns,
         stats,
         total_ns,
@@ -156,6 +170,7 @@ impl Drawn {
         let mut json = json!({
             "scene": p.scene_name,
             "method": self.method.name(),
+            "antialias": self.antialias.name(),
             "width": p.width,
             "height": p.height,
             "triangles": {
@@ -164,6 +179,7 @@ impl Drawn {
                 "clipped": p.counts.clipped,
                 "drawn": p.counts.drawn,
             },
+            "edges": p.wires.edges.len(),
             "pixels": {
                 "tested": s.pixels_tested,
                 "shaded": s.pixels_shaded,
@@ -185,9 +201,13 @@ impl Drawn {
     fn text(&self, file: &Path, verbose: bool) -> String {
         let (p, s, n) = (&self.prepared, &self.stats, &self.prepared.counts);
         let mut out = format!(
-            "{}: {}x{}, {}\n",
+            "{}: {}x{}, {}",
             p.scene_name, p.width, p.height, self.method
         );
+        if self.antialias != Antialias::None {
+            let _ = write!(out, ", anti-aliased by {}", self.antialias);
+        }
+        out += "\n";
         let threads = match s.threads {
             1 => "1 thread".to_owned(),
             n => format!("{n} threads"),
@@ -209,6 +229,14 @@ impl Drawn {
             duration(self.setup_ns),
             duration(s.raster_ns),
         );
+        if !p.wires.is_empty() {
+            let _ = writeln!(
+                out,
+                "edges      {} drawn by {}",
+                p.wires.edges.len(),
+                p.wires.filter
+            );
+        }
         if verbose {
             out += "skipped\n";
             for (reason, count) in &s.skipped {

@@ -1,6 +1,7 @@
 //! Scenes, geometry and exact shading: what a perfect renderer would draw, and what each shading method draws instead.
 //! Knows no hardware.
 
+pub mod antialias;
 pub mod depth;
 pub mod geometry;
 pub mod line;

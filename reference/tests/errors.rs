@@ -105,6 +105,12 @@ fn every_error_names_file_line_field_and_what_would_do() {
         ("shape = \"sphere\"", "mesh = \"none.obj\"", "s.toml:18: object[0].mesh: none.obj: cannot be read (No such file or directory (os error 2)); expected a readable OBJ file"),
         ("shape = \"sphere\"", "mesh = \"none.stl\"", "s.toml:18: object[0].mesh: 'none.stl' has no known ending; expected a file ending in .obj, .gltf or .glb"),
         ("[[light]]", "[render]\nmethod = \"exakt\"\n[[light]]", "s.toml:11: render.method: unknown 'exakt'; the nearest is 'exact' of exact, flat, gouraud, quadratic"),
+        ("[[light]]", "[render]\nline = \"con\"\n[[light]]", "s.toml:11: render.line: unknown 'con'; the nearest is 'cone' of bresenham, box, cone"),
+        ("[[light]]", "[render]\nantialias = \"abuffer\"\n[[light]]", "s.toml:11: render.antialias: unknown 'abuffer'; the nearest is 'a-buffer' of none, a-buffer, cubic"),
+        ("[[light]]", "[render]\ncue = 0.5\n[[light]]", "s.toml:11: render.cue: is a number; expected [nearest, farthest], two factors from 0 to 1"),
+        ("[[light]]", "[render]\ncue = [1]\n[[light]]", "s.toml:11: render.cue: has 1 elements; expected [nearest, farthest], two factors from 0 to 1"),
+        ("[[light]]", "[render]\ncue = [1, -0.5]\n[[light]]", "s.toml:11: render.cue: has -0.5; expected [nearest, farthest], two factors from 0 to 1"),
+        ("shape = \"sphere\"", "shape = \"sphere\"\ndraw = \"wirefram\"", "s.toml:19: object[0].draw: unknown 'wirefram'; the nearest is 'wireframe' of shaded, wireframe"),
         ("[[object]]\nshape = \"sphere\"\nmaterial = \"clay\"", "", "s.toml:1: object: missing; expected at least one table [[object]]"),
     ];
     for (from, to, want) in cases {

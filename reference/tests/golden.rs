@@ -7,12 +7,16 @@
 
 mod common;
 
-use common::{draw, prepare};
-use shadegate_reference::{Frame, Method};
+use common::{draw, load, prepare};
+use shadegate_reference::antialias::{self, skips_for, Antialias};
+use shadegate_reference::{Frame, Method, Prepared, RenderOptions, Skips};
 use std::path::PathBuf;
 
 fn check(name: &str) {
-    let frame = draw(&prepare(name, Some((96, 72))), Method::Exact);
+    check_frame(name, &draw(&prepare(name, Some((96, 72))), Method::Exact));
+}
+
+fn check_frame(name: &str, frame: &Frame) {
     let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("tests/golden/{name}.png"));
     if std::env::var_os("SHADEGATE_BLESS").is_some() {
         frame.save_png(&file).unwrap();
@@ -56,4 +60,26 @@ fn two_lights() {
 #[test]
 fn rings() {
     check("rings");
+}
+
+#[test]
+fn wire() {
+    check("wire-48");
+}
+
+#[test]
+fn depth_cue() {
+    check("depth-cue");
+}
+
+/// Blake's modulation and the A-buffer of the same scene.
+#[test]
+fn anti_aliased() {
+    let skips = skips_for(Antialias::ABuffer, Skips::all());
+    let p = Prepared::new(&load("two-lights"), Some((96, 72)), &skips).unwrap();
+    for a in [Antialias::ABuffer, Antialias::Cubic] {
+        let o = RenderOptions::default();
+        let (frame, _) = antialias::draw(&p, Method::Quadratic, a, &o).unwrap();
+        check_frame(&format!("two-lights-{a}"), &frame);
+    }
 }

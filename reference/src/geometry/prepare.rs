@@ -6,9 +6,9 @@ use super::clip::{clip, Planes, Vertex};
 use super::cull::{box_outside, corners, outside};
 use super::facing::Facing;
 use super::pool::{Pool, Stand};
-use super::{Prepared, ScreenTriangle, TriangleCounts, UNSHARED};
+use super::{Prepared, ScreenTriangle, TriangleCounts, Wires, UNSHARED};
 use crate::raster::{area2, covers_any, Point, Viewport};
-use crate::scene::{Object, Scene, SceneError, IMAGE_LIMIT};
+use crate::scene::{Draw, Object, Scene, SceneError, IMAGE_LIMIT};
 use crate::shade::Surroundings;
 use crate::skips::{
     Skips, BACK_FACE, CLIPPED_AWAY, DEGENERATE, FRUSTUM, OUTSIDE, UNCOVERED, VERTEX,
@@ -92,7 +92,9 @@ impl Prepared {
             scene,
         };
         for (i, object) in scene.objects.iter().enumerate() {
-            pass.object(i as u32, object);
+            if object.draw == Draw::Shaded {
+                pass.object(i as u32, object);
+            }
         }
         pass.fit_depth();
         // Back faces behind the front faces in order, so that of equal depths the front wins.
@@ -101,6 +103,7 @@ impl Prepared {
         let triangles: Vec<_> = pieces.iter().map(|p| pass.triangle(p)).collect();
         let vertices = pieces.iter().map(|p| pass.numbers(p)).collect();
         pass.counts.drawn = triangles.len() as u64;
+        let wires = Wires::new(scene, &view, skips, &mut pass.skipped);
         Ok(Self {
             scene_name: scene.name.clone(),
             width,
@@ -110,6 +113,7 @@ impl Prepared {
             counts: pass.counts,
             skipped: pass.skipped,
             vertices,
+            wires,
             surroundings: Surroundings::new(scene),
         })
     }

@@ -12,6 +12,8 @@
 //! | `fixed` | the cone-filtered walk in integers, with drifting and drift-free D |
 //! | `cue` | depth cueing |
 //! | `blend` | weighted writing |
+//! | `hidden` | the parts of an edge that faces hide |
+//! | `wireframe` | meshes drawn by their edges |
 //!
 //! **The tie rule.** Every line is walked with its major coordinate rising (from left to right; from top to bottom when it
 //! is steeper than the diagonal), whatever end it was given first, so both directions give the same pixels. Where the
@@ -25,8 +27,10 @@ pub mod coverage;
 pub mod cue;
 pub mod dda;
 pub mod fixed;
+pub mod hidden;
 pub mod path;
 pub mod set_up;
+pub mod wireframe;
 
 pub mod box_filter;
 

@@ -6,6 +6,9 @@ use super::{
     Brdf, Camera, Image, Light, LightKind, Material, Projection, Render, Scene, SceneError,
     IMAGE_LIMIT,
 };
+use crate::antialias::Antialias;
+use crate::line::cue::Cue;
+use crate::line::LineFilter;
 use crate::mesh::TRIANGLE_LIMIT;
 use crate::method::Method;
 use glam::DVec3;
@@ -67,10 +70,7 @@ pub(super) fn parse(path: &Path, text: &str) -> Result<Scene, SceneError> {
             &format!("expected at most {TRIANGLE_LIMIT}"),
         ));
     }
-    let method = match root.table("render", &["method"])? {
-        Some(t) => t.word("method", Method::NAMES)?,
-        None => None,
-    };
+    let render = render(&root)?;
     Ok(Scene {
         name: path
             .file_stem()
@@ -81,12 +81,37 @@ pub(super) fn parse(path: &Path, text: &str) -> Result<Scene, SceneError> {
         lights,
         materials,
         objects,
-        render: Render {
-            method: method
-                .and_then(|m| m.parse().ok())
-                .unwrap_or(Method::Quadratic),
-        },
+        render,
     })
+}
+
+fn render(root: &Table<'_>) -> Result<Render, SceneError> {
+    let mut render = Render {
+        method: Method::Quadratic,
+        line: LineFilter::default(),
+        cue: Cue::default(),
+        antialias: Antialias::default(),
+    };
+    let Some(t) = root.table("render", &["method", "line", "cue", "antialias"])? else {
+        return Ok(render);
+    };
+    let method = t.word("method", Method::NAMES)?;
+    if let Some(method) = method.and_then(|m| m.parse().ok()) {
+        render.method = method;
+    }
+    let line = t.word("line", &LineFilter::ALL.map(LineFilter::name))?;
+    if let Some(line) = LineFilter::ALL.into_iter().find(|l| Some(l.name()) == line) {
+        render.line = line;
+    }
+    let accepted = "[nearest, farthest], two factors from 0 to 1";
+    if let Some([near, far]) = t.pair_if("cue", accepted, |x| (0.0..=1.0).contains(&x))? {
+        render.cue = Cue { near, far };
+    }
+    let antialias = t.word("antialias", &Antialias::ALL.map(Antialias::name))?;
+    if let Some(a) = antialias.and_then(|a| a.parse().ok()) {
+        render.antialias = a;
+    }
+    Ok(render)
 }
 
 fn image(root: &Table<'_>) -> Result<Image, SceneError> {

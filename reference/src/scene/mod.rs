@@ -8,6 +8,9 @@ mod read;
 pub use build::load;
 pub use error::SceneError;
 
+use crate::antialias::Antialias;
+use crate::line::cue::Cue;
+use crate::line::LineFilter;
 use crate::mesh::Mesh;
 use crate::method::Method;
 use glam::{DMat4, DVec3};
@@ -141,11 +144,29 @@ pub struct Object {
     pub transform: DMat4,
     /// Index into [`Scene::materials`].
     pub material: usize,
+    /// Faces or edges.
+    pub draw: Draw,
+}
+
+/// What of an object is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Draw {
+    /// Its faces.
+    #[default]
+    Shaded,
+    /// Its edges, with hidden lines removed.
+    Wireframe,
 }
 
 /// What the scene asks to be drawn with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Render {
     /// The method; `quadratic` unless said otherwise.
     pub method: Method,
+    /// How edges of wireframes are drawn.
+    pub line: LineFilter,
+    /// Depth cueing of wireframes.
+    pub cue: Cue,
+    /// Anti-aliasing of edges of polygons.
+    pub antialias: Antialias,
 }

@@ -10,7 +10,11 @@ use crate::raster::Span;
 /// RGB at the centre of pixel (`x`, `y`), LSB, not limited. Meant for pixels inside the triangle.
 #[must_use]
 pub fn value(p: &Prepared, t: &ScreenTriangle, x: i32, y: i32) -> [f64; 3] {
-    let w = weights(&t.position, x, y);
+    blend(p, t, weights(&t.position, x, y))
+}
+
+/// RGB where the weights on the screen are `w`, LSB, not limited.
+pub(crate) fn blend(p: &Prepared, t: &ScreenTriangle, w: [f64; 3]) -> [f64; 3] {
     let q = [0, 1, 2].map(|i| w[i] * t.inv_w[i]);
     let sum = q[0] + q[1] + q[2];
     let q = q.map(|v| v / sum);
