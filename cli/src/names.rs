@@ -5,6 +5,7 @@ use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
 use shadegate_gen::scene::{order_of, CORES};
 use shadegate_gen::wrapper::Wrapper;
+use shadegate_reference::antialias::Antialias;
 use shadegate_reference::method::UnknownName;
 use shadegate_reference::Method;
 use shadegate_testbench::engine::Engine;
@@ -35,6 +36,11 @@ impl TypedValueParser for Offer {
 /// Shading methods of the software renderer.
 pub fn methods() -> Vec<&'static str> {
     Method::NAMES.to_vec()
+}
+
+/// Ways to anti-alias the edges of polygons.
+pub fn antialiasing() -> Vec<&'static str> {
+    Antialias::ALL.map(Antialias::name).to_vec()
 }
 
 /// Names of the cores; the method that a core draws has the same name.

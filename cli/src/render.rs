@@ -2,13 +2,14 @@
 
 use crate::args::Global;
 use crate::measures::{duration, error_json, error_text};
-use crate::names::{method, methods, Offer};
+use crate::names::{antialiasing, method, methods, Offer};
 use crate::outcome::{Failure, Outcome, Report};
 use crate::progress::Progress;
 use crate::{frames, output, size};
 use clap::Args;
 use serde_json::{json, Value};
 use shadegate_reference::animation::Player;
+use shadegate_reference::antialias::{self, Antialias};
 use shadegate_reference::sample::{self, Filter, Wanted, SAMPLE_LIMIT};
 use shadegate_reference::{scene, supported, Frame, Method, Prepared, RenderOptions, Skips};
 use shadegate_testbench::compare::{compare, save_png, Comparison, Rgb8Ref};
@@ -36,7 +37,7 @@ pub struct RenderArgs {
     /// Picture to write [default: <SCENE>-<METHOD>.png in the current directory]
     #[arg(short, long, value_name = "FILE.png")]
     output: Option<PathBuf>,
-    /// Method to measure the error against; `exact` is the truth
+    /// Method to measure the error against, anti-aliased likewise; `exact` is the truth
     #[arg(long, value_parser = Offer(methods), value_name = "METHOD")]
     against: Option<String>,
     /// Largest error of method `auto`, in 255ths of full scale, beside the rounding to a byte [default: 1]
@@ -54,6 +55,9 @@ pub struct RenderArgs {
     /// Draw all frames of an animated scene: FILE-0000.png and so on
     #[arg(long, conflicts_with_all = ["frame", "against"])]
     frames: bool,
+    /// Anti-aliasing of the edges of polygons [default: the scene's]
+    #[arg(long, value_parser = Offer(antialiasing), value_name = "NAME")]
+    antialias: Option<String>,
     /// Skips to switch off, separated by commas, or all; `shadegate list skips` names them
     #[arg(long, value_name = "LIST")]
     no_skip: Option<String>,
@@ -64,6 +68,7 @@ struct Drawn {
     work: sample::Drawn,
     method: Method,
     sampling: (u32, Filter),
+    antialias: Antialias,
     total_ns: u64,
     error: Option<(Method, Comparison)>,
     numbers: Vec<u32>,
@@ -76,6 +81,12 @@ struct Drawn {
 pub fn run(a: &RenderArgs, global: Global) -> Outcome {
     let wanted = a.method.as_deref().map(method).transpose()?;
     let against = a.against.as_deref().map(method).transpose()?;
+    let antialias = a
+        .antialias
+        .as_deref()
+        .map(str::parse)
+        .transpose()
+        .map_err(Failure::input)?;
     let size = a.size.as_deref().map(size::parse).transpose()?;
     let threads = a.threads.as_deref().map(parse_threads).transpose()?;
     let max_error = a.max_error.as_deref().map(parse_error).transpose()?;
@@ -117,6 +128,7 @@ pub fn run(a: &RenderArgs, global: Global) -> Outcome {
         method,
         samples: samples.unwrap_or(scene.render.samples),
         filter: filter.unwrap_or(scene.render.filter),
+        antialias: antialias.unwrap_or(scene.render.antialias),
         options: RenderOptions {
             threads,
             skips,
@@ -127,6 +139,7 @@ pub fn run(a: &RenderArgs, global: Global) -> Outcome {
     let first = Prepared::new(&scene, size, &skips).map_err(Failure::input)?;
     for m in against.into_iter().chain([method]) {
         supported(&first, m).map_err(Failure::input)?;
+        antialias::supported(m, wanted.antialias).map_err(Failure::input)?;
     }
     let name = scene.name.clone();
     let mut player = Player::new(scene);
@@ -163,6 +176,7 @@ pub fn run(a: &RenderArgs, global: Global) -> Outcome {
         work,
         method,
         sampling: (wanted.samples, wanted.filter),
+        antialias: wanted.antialias,
         total_ns,
         error,
         numbers,
@@ -225,6 +239,7 @@ impl Drawn {
             "method": self.method.name(),
             "width": frame.width,
             "height": frame.height,
+            "antialias": self.antialias.name(),
             "samples": self.sampling.0,
             "filter": self.sampling.1.name(),
             "frame": self.numbers.last(),
@@ -235,6 +250,7 @@ impl Drawn {
                 "clipped": p.counts.clipped,
                 "drawn": p.counts.drawn,
             },
+            "edges": p.wires.edges.len(),
             "pixels": {
                 "tested": s.pixels_tested,
                 "shaded": s.pixels_shaded,
@@ -269,13 +285,17 @@ impl Drawn {
         let (p, s, frame) = (&self.work.prepared, &self.work.stats, &self.work.frame);
         let n = &p.counts;
         let mut out = format!(
-            "{}: {}x{}, {}{}\n",
+            "{}: {}x{}, {}{}",
             p.scene_name,
             frame.width,
             frame.height,
             self.method,
             self.which()
         );
+        if self.antialias != Antialias::None {
+            let _ = write!(out, ", anti-aliased by {}", self.antialias);
+        }
+        out += "\n";
         let threads = match s.threads {
             1 => "1 thread".to_owned(),
             n => format!("{n} threads"),
@@ -305,6 +325,14 @@ impl Drawn {
             duration(self.setup_ns()),
             duration(s.raster_ns),
         );
+        if !p.wires.is_empty() {
+            let _ = writeln!(
+                out,
+                "edges      {} drawn by {}",
+                p.wires.edges.len(),
+                p.wires.filter
+            );
+        }
         if verbose {
             out += "skipped\n";
             for (reason, count) in &s.skipped {

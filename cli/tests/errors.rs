@@ -123,7 +123,7 @@ fn names() {
         "render ball.toml --no-skip hiden",
         &format!(
             "unknown skip 'hiden'; the nearest is 'hidden' of {}",
-            shadegate_reference::Skips::NAMES.join(", ")
+            Skips::NAMES.join(", ")
         ),
     );
     let core = "unknown core 'goraud'; the nearest is 'gouraud' of gouraud, quadratic";
@@ -165,6 +165,31 @@ fn methods_without_a_core() {
     f.refuses(
         "cosim ball.toml --method gouraud --core quadratic",
         "core 'quadratic' does not draw method 'gouraud'; leave out one of --core and --method",
+    );
+}
+
+/// What only software draws is refused where a core is to draw it.
+#[test]
+fn wires_and_anti_aliasing_have_no_core() {
+    let f = Folder::new();
+    f.write("wire.toml", &format!("{GOOD}draw = \"wireframe\"\n"));
+    f.write(
+        "smooth.toml",
+        &format!("{GOOD}[render]\nantialias = \"cubic\"\n"),
+    );
+    for command in ["cosim", "gen --scene"] {
+        f.refuses(
+            &format!("{command} wire.toml"),
+            "object[0] of the scene is a wireframe, which no core draws; expected draw = 'shaded' for every object",
+        );
+        f.refuses(
+            &format!("{command} smooth.toml"),
+            "the scene asks for antialias = 'cubic', which no core draws; expected antialias = 'none'",
+        );
+    }
+    f.refuses(
+        "render ball.toml --antialias abuffer",
+        "unknown anti-aliasing 'abuffer'; the nearest is 'a-buffer' of none, a-buffer, cubic",
     );
 }
 

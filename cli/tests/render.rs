@@ -12,6 +12,8 @@ fn the_json_of_a_frame_has_the_documented_keys() {
     let documented = [
         "filter",
         "frame",
+        "antialias",
+        "edges",
         "height",
         "method",
         "output",
@@ -51,6 +53,48 @@ fn the_json_of_a_frame_has_the_documented_keys() {
     let own = f.json("render ball.toml --method exact --against exact", 0);
     assert_eq!(own["error"]["max_lsb"], 0);
     assert!(own["error"]["psnr_db"].is_null());
+}
+
+#[test]
+fn anti_aliasing_and_wires() {
+    let f = Folder::new();
+    let plain = f.json("render ball.toml -o plain.png", 0);
+    assert_eq!(
+        (&plain["antialias"], &plain["edges"]),
+        (&"none".into(), &0.into())
+    );
+    for name in ["a-buffer", "cubic"] {
+        let r = f.json(
+            &format!("render ball.toml --antialias {name} --against exact -o {name}.png"),
+            0,
+        );
+        assert_eq!(r["antialias"], name);
+        assert!(r["error"]["max_lsb"].as_u64() < Some(40), "{r}");
+        let apart = f.json(&format!("compare plain.png {name}.png"), 1);
+        assert!(
+            apart["max_lsb"].as_u64() > Some(10),
+            "edges are softer: {apart}"
+        );
+    }
+    let wires = format!(
+        "{}draw = \"wireframe\"\n[render]\nline = \"box\"\n",
+        common::GOOD
+    );
+    f.write("wire.toml", &wires);
+    let r = f.json("render wire.toml", 0);
+    // 690 faces have 1035 edges, about half of them in front.
+    let (drawn, left_out) = (
+        r["edges"].as_u64().unwrap(),
+        r["skipped"]["back-edge"].as_u64().unwrap(),
+    );
+    assert_eq!(drawn + left_out, 1035);
+    assert!((300..600).contains(&drawn), "{r}");
+    let done = f.run("render wire.toml -o w.png").code(0).stderr("");
+    let text = String::from_utf8(done.get_output().stdout.clone()).unwrap();
+    assert!(
+        text.contains("\nedges      ") && text.contains(" drawn by box\n"),
+        "{text}"
+    );
 }
 
 #[test]

@@ -2,8 +2,10 @@
 //! Knows no hardware.
 
 pub mod animation;
+pub mod antialias;
 pub mod depth;
 pub mod geometry;
+pub mod line;
 pub mod mesh;
 pub mod method;
 mod parallel;

@@ -1,7 +1,7 @@
 //! Work that need not be done. Every skip leaves the frame as it is, is counted, and can be switched off to prove both.
 //!
-//! One condition goes with `back-face`: it preserves the frame of *closed* objects only, because only there does a
-//! nearer front face hide every back face.
+//! One condition goes with `back-face` and `back-edge`: they preserve the frame of *closed* objects only, because only
+//! there does a nearer front face hide every back face.
 
 use crate::method::UnknownName;
 
@@ -36,12 +36,16 @@ pub const DIFFUSE: &str = "diffuse";
 /// A sub-frame of a frame in which nothing moves by as much as a pixel while the shutter is open: drawn once, still, with
 /// everything less than a pixel from where it would be.
 pub const BLUR: &str = "blur";
+/// An edge of a wireframe of which no face shows its front.
+pub const BACK_EDGE: &str = "back-edge";
+/// With anti-aliasing: a triangle in a pixel that those before it cover wholly, not composited.
+pub const MASKED: &str = "masked";
 /// A triangle without area, in the mesh or after snapping. Always skipped: there is nothing to draw.
 pub const DEGENERATE: &str = "degenerate";
 /// A triangle of which the near plane, the far plane or the guard band leaves nothing. Always skipped as well.
 pub const CLIPPED_AWAY: &str = "clipped-away";
 
-const NAMES: [&str; 14] = [
+const NAMES: [&str; 17] = [
     BACK_FACE,
     VERTEX,
     FRUSTUM,
@@ -57,6 +61,8 @@ const NAMES: [&str; 14] = [
     SPECULAR,
     DIFFUSE,
     BLUR,
+    BACK_EDGE,
+    MASKED,
 ];
 
 /// Which skips are switched on.
@@ -93,6 +99,9 @@ impl Skips {
             PRODUCTS_ENOUGH => "a triangle that quadratic interpolation of N·L and N·H draws within the error wanted of `auto`",
             SPECULAR => "a triangle shaded per pixel by `auto` on which no highlight can be seen",
             DIFFUSE => "a triangle shaded per pixel by `auto` to which no light comes",
+            BLUR => "a sub-frame of a frame in which nothing moves by as much as a pixel: drawn once",
+            BACK_EDGE => "an edge of a wireframe of which no face shows its front",
+            MASKED => "with anti-aliasing: a triangle in a pixel that those before it cover wholly, not composited",
             _ => "",
         }
     }
@@ -133,6 +142,15 @@ impl Skips {
         Ok(skips)
     }
 
+    /// The same, but the skip of this name off; names that cannot be switched change nothing.
+    #[must_use]
+    pub fn but(mut self, name: &str) -> Self {
+        if let Some(i) = NAMES.iter().position(|n| *n == name) {
+            self.on[i] = false;
+        }
+        self
+    }
+
     /// Whether the skip of this name is on; false for names that cannot be switched.
     #[must_use]
     pub fn is_on(&self, name: &str) -> bool {
@@ -154,6 +172,8 @@ mod tests {
         assert!(s.is_on(FRUSTUM) && s.is_on(OUTSIDE) && s.is_on(UNCOVERED));
         assert_eq!(Skips::without("").unwrap(), Skips::all());
         assert_eq!(Skips::without("all").unwrap(), Skips::none());
+        assert_eq!(Skips::all().but(HIDDEN), Skips::without("hidden").unwrap());
+        assert_eq!(Skips::all().but(DEGENERATE), Skips::all());
     }
 
     #[test]

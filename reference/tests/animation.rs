@@ -5,6 +5,7 @@ mod common;
 use common::{difference, draw, load, path, prepare};
 use glam::{DMat4, DVec3};
 use shadegate_reference::animation::{Animation, Player};
+use shadegate_reference::antialias::Antialias;
 use shadegate_reference::sample::{self, filter, Filter, Wanted};
 use shadegate_reference::{
     render, scene, Frame, Method, Prepared, RenderOptions, Scene, SceneError, Skips,
@@ -16,6 +17,7 @@ fn wanted(method: Method) -> Wanted {
         method,
         samples: 1,
         filter: Filter::Box,
+        antialias: Antialias::None,
         options: RenderOptions::default(),
     }
 }

@@ -118,6 +118,12 @@ fn every_error_names_file_line_field_and_what_would_do() {
         ("material = \"clay\"", "[animation]\nframes = 2\n[[animation.object]]\nobject = 0", "s.toml:21: animation.object[0].time: missing; expected a number of frames"),
         ("material = \"clay\"", "[animation]\nframes = 2\n[[animation.camera]]\ntime = 0\n[[animation.camera]]\ntime = 0", "s.toml:24: animation.camera[1].time: is 0, as of a key before; expected a time of its own"),
         ("material = \"clay\"", "[animation]\nframes = 2\n[[animation.camera]]\ntime = 0\ntarget = [0, 0, 5]", "s.toml:23: animation.camera[0].target: is where the eye is; expected a point apart from camera.eye"),
+        ("[[light]]", "[render]\nline = \"con\"\n[[light]]", "s.toml:11: render.line: unknown 'con'; the nearest is 'cone' of bresenham, box, cone"),
+        ("[[light]]", "[render]\nantialias = \"abuffer\"\n[[light]]", "s.toml:11: render.antialias: unknown 'abuffer'; the nearest is 'a-buffer' of none, a-buffer, cubic"),
+        ("[[light]]", "[render]\ncue = 0.5\n[[light]]", "s.toml:11: render.cue: is a number; expected [nearest, farthest], two factors from 0 to 1"),
+        ("[[light]]", "[render]\ncue = [1]\n[[light]]", "s.toml:11: render.cue: has 1 elements; expected [nearest, farthest], two factors from 0 to 1"),
+        ("[[light]]", "[render]\ncue = [1, -0.5]\n[[light]]", "s.toml:11: render.cue: has -0.5; expected [nearest, farthest], two factors from 0 to 1"),
+        ("shape = \"sphere\"", "shape = \"sphere\"\ndraw = \"wirefram\"", "s.toml:19: object[0].draw: unknown 'wirefram'; the nearest is 'wireframe' of shaded, wireframe"),
         ("[[object]]\nshape = \"sphere\"\nmaterial = \"clay\"", "", "s.toml:1: object: missing; expected at least one table [[object]]"),
     ];
     for (from, to, want) in cases {

@@ -9,8 +9,9 @@ mod common;
 
 use common::{draw, load, prepare};
 use shadegate_reference::animation::Player;
+use shadegate_reference::antialias::{self, skips_for, Antialias};
 use shadegate_reference::sample::{self, Filter, Wanted};
-use shadegate_reference::{Frame, Method, RenderOptions};
+use shadegate_reference::{Frame, Method, Prepared, RenderOptions, Skips};
 use std::path::PathBuf;
 
 fn check(name: &str) {
@@ -81,8 +82,31 @@ fn spin() {
         method: Method::Exact,
         samples: 3,
         filter: Filter::Tent,
+        antialias: Antialias::None,
         options: RenderOptions::default(),
     };
     let drawn = sample::draw(&mut Player::new(load("spin")), 7, &wanted).unwrap();
     check_frame("spin", &drawn.frame);
+}
+
+#[test]
+fn wire() {
+    check("wire-48");
+}
+
+#[test]
+fn depth_cue() {
+    check("depth-cue");
+}
+
+/// Blake's modulation and the A-buffer of the same scene.
+#[test]
+fn anti_aliased() {
+    let skips = skips_for(Antialias::ABuffer, Skips::all());
+    let p = Prepared::new(&load("two-lights"), Some((96, 72)), &skips).unwrap();
+    for a in [Antialias::ABuffer, Antialias::Cubic] {
+        let o = RenderOptions::default();
+        let (frame, _) = antialias::draw(&p, Method::Quadratic, a, &o).unwrap();
+        check_frame(&format!("two-lights-{a}"), &frame);
+    }
 }

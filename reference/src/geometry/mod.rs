@@ -6,6 +6,9 @@ pub mod cull;
 pub mod facing;
 mod pool;
 mod prepare;
+mod wire;
+
+pub use wire::{WireEdge, Wires};
 
 use crate::raster::Point;
 use crate::shade::Surroundings;
@@ -72,11 +75,13 @@ pub struct Prepared {
     pub triangles: Vec<ScreenTriangle>,
     /// What became of the triangles of the scene.
     pub counts: TriangleCounts,
-    /// Triangles skipped, by reason.
+    /// Triangles skipped, and edges of wireframes, by reason.
     pub skipped: BTreeMap<&'static str, u64>,
     /// For every triangle, numbers of its vertices: corners with equal numbers are one vertex of one mesh, with the
     /// same attributes. [`UNSHARED`] where clipping or a missing normal made the corner the triangle's own.
     pub(crate) vertices: Vec<[u32; 3]>,
+    /// What is drawn as wireframe, over the shaded frame.
+    pub wires: Wires,
     /// Lights, materials and viewer.
     pub(crate) surroundings: Surroundings,
 }
@@ -105,6 +110,7 @@ impl Prepared {
             skipped: BTreeMap::new(),
             vertices: vec![[UNSHARED; 3]; triangles.len()],
             triangles,
+            wires: Wires::default(),
             surroundings,
         }
     }

@@ -6,9 +6,9 @@ use super::clip::{clip, Planes, Vertex};
 use super::cull::{box_outside, corners, outside};
 use super::facing::Facing;
 use super::pool::{Pool, Stand};
-use super::{Prepared, ScreenTriangle, TriangleCounts, UNSHARED};
+use super::{Prepared, ScreenTriangle, TriangleCounts, Wires, UNSHARED};
 use crate::raster::{area2, covers_any, Point, Viewport};
-use crate::scene::{Object, Scene, SceneError, IMAGE_LIMIT};
+use crate::scene::{Draw, Object, Scene, SceneError, IMAGE_LIMIT};
 use crate::shade::reach::missing;
 use crate::shade::Surroundings;
 use crate::skips::{
@@ -93,7 +93,9 @@ impl Prepared {
             scene,
         };
         for (i, object) in scene.objects.iter().enumerate() {
-            pass.object(i as u32, object);
+            if object.draw == Draw::Shaded {
+                pass.object(i as u32, object);
+            }
         }
         pass.fit_depth();
         // Back faces behind the front faces in order, so that of equal depths the front wins.
@@ -107,6 +109,7 @@ impl Prepared {
         if dark > 0 {
             pass.skipped.insert(SPOT, dark);
         }
+        let wires = Wires::new(scene, &view, skips, &mut pass.skipped);
         Ok(Self {
             scene_name: scene.name.clone(),
             width,
@@ -117,6 +120,7 @@ impl Prepared {
             skipped: pass.skipped,
             vertices,
             surroundings,
+            wires,
         })
     }
 }

@@ -9,6 +9,7 @@ mod scalar;
 pub use frame::{Frame, FrameError};
 
 use crate::geometry::Prepared;
+use crate::line::wireframe;
 use crate::method::Method;
 use crate::parallel;
 use crate::shade::paint::Paint;
@@ -78,7 +79,13 @@ pub struct RenderStats {
 /// Draws a prepared scene.
 #[must_use]
 pub fn render(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats) {
-    parallel::with(o.threads, || draw(p, method, o))
+    parallel::with(o.threads, || {
+        let (mut frame, stats) = draw(p, method, o);
+        if !p.wires.is_empty() {
+            wireframe::draw(&p.wires, &mut frame);
+        }
+        (frame, stats)
+    })
 }
 
 /// One arm for each method of the catalogue.

@@ -10,6 +10,7 @@ mod motion;
 pub use filter::Filter;
 
 use crate::animation::Player;
+use crate::antialias::{self, skips_for, Antialias};
 use crate::geometry::Prepared;
 use crate::method::Method;
 use crate::render::{render, Frame, RenderOptions, RenderStats};
@@ -31,6 +32,8 @@ pub struct Wanted {
     pub samples: u32,
     /// How they are weighted.
     pub filter: Filter,
+    /// How edges of polygons are anti-aliased; methods that have no such form are drawn without.
+    pub antialias: Antialias,
     /// Threads and skips.
     pub options: RenderOptions,
 }
@@ -135,9 +138,12 @@ fn shot(
     wanted: &Wanted,
 ) -> Result<Drawn, SceneError> {
     let start = Instant::now();
-    let prepared = Prepared::new(player.at(time), Some(large), &wanted.options.skips)?;
+    let skips = skips_for(wanted.antialias, wanted.options.skips);
+    let prepared = Prepared::new(player.at(time), Some(large), &skips)?;
     let prepare_ns = nanoseconds(start);
-    let (frame, mut stats) = render(&prepared, wanted.method, &wanted.options);
+    let (m, o) = (wanted.method, &wanted.options);
+    let (frame, mut stats) = antialias::draw(&prepared, m, wanted.antialias, o)
+        .unwrap_or_else(|_| render(&prepared, m, o));
     let start = Instant::now();
     let frame = filter::down(frame, n, wanted.filter);
     stats.raster_ns += nanoseconds(start);

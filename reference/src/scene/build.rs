@@ -4,6 +4,9 @@ use super::material::materials;
 use super::object::object;
 use super::read::{Document, Table};
 use super::{light, Camera, Image, Projection, Render, Scene, SceneError, IMAGE_LIMIT};
+use crate::antialias::Antialias;
+use crate::line::cue::Cue;
+use crate::line::LineFilter;
 use crate::mesh::TRIANGLE_LIMIT;
 use crate::method::Method;
 use crate::sample::{Filter, SAMPLE_LIMIT};
@@ -66,6 +69,7 @@ pub(super) fn parse(path: &Path, text: &str) -> Result<Scene, SceneError> {
         ));
     }
     let animation = super::animation::animation(&root, &camera, &object_tables)?;
+    let render = render(&root)?;
     Ok(Scene {
         name: path
             .file_stem()
@@ -76,14 +80,15 @@ pub(super) fn parse(path: &Path, text: &str) -> Result<Scene, SceneError> {
         lights,
         materials,
         objects,
-        render: render(&root)?,
+        render,
         animation,
     })
 }
 
 fn render(root: &Table<'_>) -> Result<Render, SceneError> {
+    const KEYS: [&str; 6] = ["method", "line", "cue", "antialias", "samples", "filter"];
     let mut render = Render::default();
-    let Some(t) = root.table("render", &["method", "samples", "filter"])? else {
+    let Some(t) = root.table("render", &KEYS)? else {
         return Ok(render);
     };
     if let Some(m) = t
@@ -100,6 +105,18 @@ fn render(root: &Table<'_>) -> Result<Render, SceneError> {
         .and_then(|f| f.parse().ok())
     {
         render.filter = f;
+    }
+    let line = t.word("line", &LineFilter::ALL.map(LineFilter::name))?;
+    if let Some(line) = LineFilter::ALL.into_iter().find(|l| Some(l.name()) == line) {
+        render.line = line;
+    }
+    let accepted = "[nearest, farthest], two factors from 0 to 1";
+    if let Some([near, far]) = t.pair_if("cue", accepted, |x| (0.0..=1.0).contains(&x))? {
+        render.cue = Cue { near, far };
+    }
+    let antialias = t.word("antialias", &Antialias::ALL.map(Antialias::name))?;
+    if let Some(a) = antialias.and_then(|a| a.parse().ok()) {
+        render.antialias = a;
     }
     Ok(render)
 }

@@ -14,6 +14,9 @@ pub use light::{Attenuation, Falloff, Light, LightKind, SpotWidth};
 pub use material::{Brdf, Highlight, Material};
 
 use crate::animation::Animation;
+use crate::antialias::Antialias;
+use crate::line::cue::Cue;
+use crate::line::LineFilter;
 use crate::mesh::Mesh;
 use crate::method::Method;
 use crate::sample::Filter;
@@ -100,10 +103,22 @@ pub struct Object {
     pub transform: DMat4,
     /// Index into [`Scene::materials`].
     pub material: usize,
+    /// Faces or edges.
+    pub draw: Draw,
+}
+
+/// What of an object is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Draw {
+    /// Its faces.
+    #[default]
+    Shaded,
+    /// Its edges, with hidden lines removed.
+    Wireframe,
 }
 
 /// What the scene asks to be drawn with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Render {
     /// The method; `quadratic` unless said otherwise.
     pub method: Method,
@@ -111,6 +126,12 @@ pub struct Render {
     pub samples: u32,
     /// How they are weighted.
     pub filter: Filter,
+    /// How edges of wireframes are drawn.
+    pub line: LineFilter,
+    /// Depth cueing of wireframes.
+    pub cue: Cue,
+    /// Anti-aliasing of edges of polygons.
+    pub antialias: Antialias,
 }
 
 impl Default for Render {
@@ -119,6 +140,9 @@ impl Default for Render {
             method: Method::Quadratic,
             samples: 1,
             filter: Filter::default(),
+            line: LineFilter::default(),
+            cue: Cue::default(),
+            antialias: Antialias::default(),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Objects of a scene: a mesh file or a generated shape, its transform and its material.
 
 use super::read::Table;
-use super::{Material, Object, SceneError};
+use super::{Draw, Material, Object, SceneError};
 use crate::mesh::pseudo_normals::Weighting;
 use crate::mesh::{self, Mesh};
 use crate::method::nearest;
@@ -13,6 +13,7 @@ pub(super) const KEYS: &[&str] = &[
     "normals",
     "shape",
     "material",
+    "draw",
     "translate",
     "rotate",
     "scale",
@@ -71,6 +72,10 @@ pub(super) fn object(
         mesh,
         transform: transform(t)?,
         material: material(t, materials)?,
+        draw: match t.word("draw", &["shaded", "wireframe"])? {
+            Some("wireframe") => Draw::Wireframe,
+            _ => Draw::Shaded,
+        },
     })
 }
 

@@ -180,6 +180,33 @@ impl<'a> Table<'a> {
         }
     }
 
+    /// Two numbers that satisfy `ok` one by one.
+    pub(super) fn pair_if(
+        &self,
+        key: &str,
+        accepted: &str,
+        ok: impl Fn(f64) -> bool,
+    ) -> Result<Option<[f64; 2]>, SceneError> {
+        let Some(v) = self.get(key) else {
+            return Ok(None);
+        };
+        let DeValue::Array(a) = v.get_ref() else {
+            return Err(self.wrong(key, v, accepted));
+        };
+        let mut out = [0.0; 2];
+        if a.len() != out.len() {
+            let what = format!("has {} elements", a.len());
+            return Err(self.error(key, &what, &format!("expected {accepted}")));
+        }
+        for (x, v) in out.iter_mut().zip(a.iter()) {
+            *x = self.number(key, v, accepted)?;
+            if !ok(*x) {
+                return Err(self.error(key, &format!("has {x}"), &format!("expected {accepted}")));
+            }
+        }
+        Ok(Some(out))
+    }
+
     /// Three numbers.
     pub(super) fn vector(&self, key: &str) -> Result<Option<DVec3>, SceneError> {
         self.vector_if(key, "three numbers [x, y, z]", false, |_| true)

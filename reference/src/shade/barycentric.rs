@@ -20,6 +20,22 @@ pub fn weights(p: &[Point; 3], x: i32, y: i32) -> [f64; 3] {
     e.map(|v| v as f64 / area as f64)
 }
 
+/// The three weights at any place of the screen, in pixels; rounded, where [`weights`] is exact. All zero for a triangle
+/// without area.
+#[must_use]
+pub fn weights_at(p: &[Point; 3], x: f64, y: f64) -> [f64; 3] {
+    let area = crate::raster::area2(*p) as f64;
+    if area == 0.0 {
+        return [0.0; 3];
+    }
+    let (x, y) = (x * f64::from(SUBPIXELS), y * f64::from(SUBPIXELS));
+    let edge = |a: Point, b: Point| {
+        let (ax, ay) = (f64::from(a.x), f64::from(a.y));
+        ((f64::from(b.x) - ax) * (y - ay) - (f64::from(b.y) - ay) * (x - ax)) / area
+    };
+    [edge(p[1], p[2]), edge(p[2], p[0]), edge(p[0], p[1])]
+}
+
 /// Changes of the weights from one pixel to the next on its right.
 #[must_use]
 pub fn steps(p: &[Point; 3]) -> [f64; 3] {
@@ -49,7 +65,9 @@ mod tests {
             assert!((sum(|q| q.x) - (f64::from(x) + 0.5)).abs() < 1e-12);
             assert!((sum(|q| q.y) - (f64::from(y) + 0.5)).abs() < 1e-12);
             let (n, s) = (weights(&p, x + 1, y), steps(&p));
+            let anywhere = weights_at(&p, f64::from(x) + 0.5, f64::from(y) + 0.5);
             for i in 0..3 {
+                assert!((anywhere[i] - w[i]).abs() < 1e-14);
                 assert!((n[i] - w[i] - s[i]).abs() < 1e-14);
             }
         }

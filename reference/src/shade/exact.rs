@@ -11,18 +11,21 @@ use crate::raster::Span;
 /// RGB at the centre of pixel (`x`, `y`), LSB, not limited. Meant for pixels inside the triangle.
 #[must_use]
 pub fn value(p: &Prepared, t: &ScreenTriangle, x: i32, y: i32) -> [f64; 3] {
-    value_by(0..p.surroundings.lights(), p, t, x, y)
+    blend(p, t, weights(&t.position, x, y))
+}
+
+/// RGB where the weights on the screen are `w`, LSB, not limited.
+pub(crate) fn blend(p: &Prepared, t: &ScreenTriangle, w: [f64; 3]) -> [f64; 3] {
+    blend_by(0..p.surroundings.lights(), p, t, w)
 }
 
 /// The same with some of the lights only.
-fn value_by(
+fn blend_by(
     lights: impl Iterator<Item = usize>,
     p: &Prepared,
     t: &ScreenTriangle,
-    x: i32,
-    y: i32,
+    w: [f64; 3],
 ) -> [f64; 3] {
-    let w = weights(&t.position, x, y);
     let q = [0, 1, 2].map(|i| w[i] * t.inv_w[i]);
     let sum = q[0] + q[1] + q[2];
     let q = q.map(|v| v / sum);
@@ -66,8 +69,8 @@ impl Shader for Exact {
 
 impl Run for At<'_> {
     fn colour(&self) -> [f64; 3] {
-        let lights = self.lights.iter();
-        value_by(lights, self.prepared, self.triangle, self.x, self.y)
+        let w = weights(&self.triangle.position, self.x, self.y);
+        blend_by(self.lights.iter(), self.prepared, self.triangle, w)
     }
 
     fn step(&mut self) {

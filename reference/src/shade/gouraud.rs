@@ -24,7 +24,11 @@ pub(crate) fn vertex(p: &Prepared, t: &ScreenTriangle, i: usize) -> [f64; 3] {
 /// RGB at the centre of pixel (`x`, `y`), LSB, not limited.
 #[must_use]
 pub fn value(position: &[Point; 3], knots: &[[f64; 3]; 3], x: i32, y: i32) -> [f64; 3] {
-    let w = weights(position, x, y);
+    blend(knots, weights(position, x, y))
+}
+
+/// RGB where the weights on the screen are `w`, LSB, not limited.
+pub(crate) fn blend(knots: &[[f64; 3]; 3], w: [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(|c| (0..3).map(|i| w[i] * knots[i][c]).sum())
 }
 

@@ -121,6 +121,7 @@ mod tests {
             mesh: sphere::sphere(64, 48, 1.0),
             transform: DMat4::from_translation(DVec3::ONE) * DMat4::from_mat3(linear),
             material,
+            draw: crate::scene::Draw::default(),
         }
     }
 

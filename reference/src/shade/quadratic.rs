@@ -53,7 +53,11 @@ pub(crate) fn cancels(t: &ScreenTriangle, k: usize) -> bool {
 /// RGB at the centre of pixel (`x`, `y`), LSB, not limited.
 #[must_use]
 pub fn value(position: &[Point; 3], knots: &[[f64; 3]; 6], x: i32, y: i32) -> [f64; 3] {
-    let w = weights(position, x, y);
+    blend(knots, weights(position, x, y))
+}
+
+/// RGB where the weights on the screen are `w`, LSB, not limited.
+pub(crate) fn blend(knots: &[[f64; 3]; 6], w: [f64; 3]) -> [f64; 3] {
     let basis = [
         w[0] * (2.0 * w[0] - 1.0),
         w[1] * (2.0 * w[1] - 1.0),

@@ -15,7 +15,9 @@ use shadegate_gen::stimulus::{build, StimulusError, StimulusOptions};
 use shadegate_gen::vectors::Trace;
 use shadegate_gen::write::WriteError;
 use shadegate_hdl::shade::device::{Core, MAX_HEIGHT, MAX_WIDTH};
+use shadegate_reference::antialias::Antialias;
 use shadegate_reference::raster::Viewport;
+use shadegate_reference::scene::Draw;
 use shadegate_reference::{render, Method, Prepared, RenderOptions, Scene, SceneError, Skips};
 use std::path::PathBuf;
 use std::time::Instant;
@@ -48,6 +50,14 @@ pub enum CosimError {
     /// The method has no core.
     #[error("method '{0}' has no core; methods with a core: gouraud, quadratic")]
     NoCore(Method),
+    /// Edges instead of faces.
+    #[error("object[{0}] of the scene is a wireframe, which no core draws; expected draw = 'shaded' for every object")]
+    Wireframe(usize),
+    /// Anti-aliasing.
+    #[error(
+        "the scene asks for antialias = '{0}', which no core draws; expected antialias = 'none'"
+    )]
+    Antialias(Antialias),
     /// The frame exceeds the core's coordinates.
     #[error(
         "frame {width}x{height} exceeds the core's coordinate range: at most {MAX_WIDTH} columns and \
@@ -117,6 +127,7 @@ pub fn prelude(
     let begin = Instant::now();
     let (width, height) = size.unwrap_or((scene.image.width, scene.image.height));
     let core = core_for(method, width, height)?;
+    refuse(scene)?;
     let prepared = Prepared::new(scene, Some((width, height)), &Skips::all())?;
     let triangles = triangles(&prepared, core.order);
     let stimulus = build(&core, &triangles, Viewport { width, height }, stimulus)?;
@@ -135,6 +146,17 @@ pub fn prelude(
         setup_ns,
         emit_ns,
     })
+}
+
+/// Refuses scenes with anything that software alone draws.
+fn refuse(scene: &Scene) -> Result<(), CosimError> {
+    if let Some(i) = scene.objects.iter().position(|o| o.draw == Draw::Wireframe) {
+        return Err(CosimError::Wireframe(i));
+    }
+    match scene.render.antialias {
+        Antialias::None => Ok(()),
+        a => Err(CosimError::Antialias(a)),
+    }
 }
 
 /// Runs a co-simulation and writes its results.
