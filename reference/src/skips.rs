@@ -41,7 +41,7 @@ pub const DEGENERATE: &str = "degenerate";
 /// A triangle of which the near plane, the far plane or the guard band leaves nothing. Always skipped as well.
 pub const CLIPPED_AWAY: &str = "clipped-away";
 
-const NAMES: [&str; 14] = [
+const NAMES: [&str; 15] = [
     BACK_FACE,
     VERTEX,
     FRUSTUM,
