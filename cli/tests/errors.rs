@@ -3,7 +3,7 @@
 mod common;
 
 use common::{Folder, GOOD};
-use shadegate_reference::{Method, Skips};
+use shadegate_reference::Method;
 use std::sync::LazyLock;
 
 static METHODS: LazyLock<String> = LazyLock::new(|| Method::NAMES.join(", "));
