@@ -1,6 +1,7 @@
 //! Scenes, geometry and exact shading: what a perfect renderer would draw, and what each shading method draws instead.
 //! Knows no hardware.
 
+pub mod bump;
 pub mod depth;
 pub mod geometry;
 pub mod mesh;
@@ -11,6 +12,7 @@ pub mod render;
 pub mod scene;
 pub mod shade;
 pub mod skips;
+pub mod texture;
 pub mod visibility;
 
 pub use geometry::{Prepared, ScreenTriangle, TriangleCounts};

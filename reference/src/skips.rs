@@ -1,4 +1,5 @@
-//! Work that need not be done. Every skip leaves the frame as it is, is counted, and can be switched off to prove both.
+//! Work that need not be done. Every skip leaves the frame as it is or within a bound that it states, is counted, and
+//! can be switched off to prove both.
 //!
 //! One condition goes with `back-face`: it preserves the frame of *closed* objects only, because only there does a
 //! nearer front face hide every back face.
@@ -31,12 +32,20 @@ pub const PRODUCTS_ENOUGH: &str = "products-enough";
 pub const SPECULAR: &str = "specular";
 /// A triangle shaded per pixel by `auto` to which no light comes.
 pub const DIFFUSE: &str = "diffuse";
+/// The texel of a hidden pixel: not looked up.
+pub const TEXTURE: &str = "texture";
+/// Texture addresses of a triangle that are affine where perspective would move them by less than half a texel; not
+/// for the method `exact`. The one skip that may change the frame, by no more than that.
+pub const AFFINE: &str = "affine";
+/// A span with one reciprocal for all its texture addresses, because depth hardly changes along it; off by less than
+/// 1/256 texel, and not for the method `exact`.
+pub const CONSTANT_DEPTH: &str = "constant-depth";
 /// A triangle without area, in the mesh or after snapping. Always skipped: there is nothing to draw.
 pub const DEGENERATE: &str = "degenerate";
 /// A triangle of which the near plane, the far plane or the guard band leaves nothing. Always skipped as well.
 pub const CLIPPED_AWAY: &str = "clipped-away";
 
-const NAMES: [&str; 13] = [
+const NAMES: [&str; 16] = [
     BACK_FACE,
     VERTEX,
     FRUSTUM,
@@ -50,6 +59,9 @@ const NAMES: [&str; 13] = [
     PRODUCTS_ENOUGH,
     SPECULAR,
     DIFFUSE,
+    TEXTURE,
+    AFFINE,
+    CONSTANT_DEPTH,
 ];
 
 /// Which skips are switched on.
@@ -85,6 +97,9 @@ impl Skips {
             PRODUCTS_ENOUGH => "a triangle that quadratic interpolation of N·L and N·H draws within the error wanted of `auto`",
             SPECULAR => "a triangle shaded per pixel by `auto` on which no highlight can be seen",
             DIFFUSE => "a triangle shaded per pixel by `auto` to which no light comes",
+            TEXTURE => "the texel of a hidden pixel: not looked up",
+            AFFINE => "texture addresses of a triangle that are affine, proved to be off by less than half a texel",
+            CONSTANT_DEPTH => "a span with one reciprocal for all its texture addresses, off by less than 1/256 texel",
             _ => "",
         }
     }

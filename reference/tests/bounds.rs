@@ -46,6 +46,8 @@ fn random(r: &mut StdRng) -> Prepared {
         diffuse: DVec3::splat(r.random_range(0.0..0.6)),
         specular: DVec3::splat(r.random_range(0.0..0.6)),
         shininess: exponents[r.random_range(0..exponents.len())],
+        texture: None,
+        bump: None,
     };
     let eye = DVec3::new(0.0, 0.0, r.random_range(3.0..12.0));
     let camera = Camera {
@@ -77,6 +79,7 @@ fn random(r: &mut StdRng) -> Prepared {
         depth: [0.5; 3],
         world,
         normal: [0; 3].map(|_| (middle + direction(r) * spread).normalize()),
+        uv: [glam::DVec2::ZERO; 3],
         material: 0,
         object: 0,
         face: 0,

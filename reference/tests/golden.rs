@@ -57,3 +57,18 @@ fn two_lights() {
 fn rings() {
     check("rings");
 }
+
+#[test]
+fn perspective_floor() {
+    check("perspective-floor");
+}
+
+#[test]
+fn tiles() {
+    check("tiles");
+}
+
+#[test]
+fn bump() {
+    check("bump");
+}

@@ -1,8 +1,9 @@
-//! Wavefront OBJ: `v`, `vn` and `f` (polygons as fans; indices from 1, or negative from the end), read by `tobj`.
-//! Everything else in a file is passed over: it is taken out before the library sees it, since the library would
+//! Wavefront OBJ: `v`, `vn` and `f` (polygons as fans; indices from 1, or negative from the end), read by `tobj`;
+//! `vt` by [`coordinates`], so that seams of the texture split no vertex. Everything else in a file is passed over: it is taken out before the library sees it, since the library would
 //! split the mesh at groups and texture seams, and refuse what does not matter here. When it refuses a file, or is
 //! more lenient than this crate, [`diagnose`] looks for the line.
 
+mod coordinates;
 mod diagnose;
 
 use super::{Mesh, MeshError};
@@ -83,6 +84,16 @@ fn relevant(text: &str) -> Option<String> {
     Some(out)
 }
 
+/// Why the file at `path` gives no texture coordinates; nothing if it does.
+///
+/// # Errors
+/// A corner without texture coordinates, or with broken ones, and its line.
+pub fn check_coordinates(path: &Path) -> Result<(), MeshError> {
+    // A file that has just been read; should it be gone, it has no coordinates.
+    let bytes = std::fs::read(path).unwrap_or_default();
+    coordinates::read(&String::from_utf8_lossy(&bytes)).map(|_| ())
+}
+
 fn vectors(flat: &[f64]) -> Vec<DVec3> {
     flat.chunks_exact(3).map(DVec3::from_slice).collect()
 }
@@ -109,6 +120,7 @@ fn read(relevant: &str) -> Result<Mesh, tobj::LoadError> {
             .chunks_exact(3)
             .map(|t| [t[0], t[1], t[2]])
             .collect(),
+        uv: Vec::new(),
     })
 }
 
@@ -126,6 +138,8 @@ fn parse(text: &str) -> Result<Mesh, MeshError> {
     if !whole || !finite(&mesh.positions) || !finite(&mesh.normals) {
         return Err(refused("not finite".to_owned()));
     }
+    // Broken ones do not matter until a material has a texture.
+    mesh.uv = coordinates::read(text).unwrap_or_default();
     if mesh.normals.contains(&DVec3::ZERO) {
         // Smooth what has no normals; keep the normals that were given.
         let given = std::mem::take(&mut mesh.normals);

@@ -2,6 +2,7 @@
 
 use super::object::object;
 use super::read::{Document, Table};
+use super::surface;
 use super::{
     Brdf, Camera, Image, Light, LightKind, Material, Projection, Render, Scene, SceneError,
     IMAGE_LIMIT,
@@ -50,7 +51,7 @@ pub(super) fn parse(path: &Path, text: &str) -> Result<Scene, SceneError> {
         .iter()
         .map(light)
         .collect::<Result<_, _>>()?;
-    let materials = materials(&root)?;
+    let materials = materials(&root, path)?;
     let objects = root
         .tables("object", super::object::KEYS)?
         .iter()
@@ -235,7 +236,7 @@ fn light(t: &Table<'_>) -> Result<Light, SceneError> {
     })
 }
 
-fn materials(root: &Table<'_>) -> Result<Vec<Material>, SceneError> {
+fn materials(root: &Table<'_>, scene: &Path) -> Result<Vec<Material>, SceneError> {
     let keys = [
         "name",
         "brdf",
@@ -244,6 +245,7 @@ fn materials(root: &Table<'_>) -> Result<Vec<Material>, SceneError> {
         "specular",
         "shininess",
     ];
+    let keys = [&keys, surface::KEYS].concat();
     let mut all: Vec<Material> = Vec::new();
     for t in root.tables("material", &keys)? {
         let name = t
@@ -285,6 +287,8 @@ fn materials(root: &Table<'_>) -> Result<Vec<Material>, SceneError> {
             diffuse: colour("diffuse", 0.8)?,
             specular,
             shininess: shininess.unwrap_or(20.0),
+            texture: surface::texture(&t, scene)?,
+            bump: surface::bump(&t, scene)?,
         });
     }
     if all.is_empty() {

@@ -4,14 +4,18 @@ mod build;
 mod error;
 mod object;
 mod read;
+mod surface;
 
 pub use build::load;
 pub use error::SceneError;
 
+use crate::bump::BumpMap;
 use crate::mesh::Mesh;
 use crate::method::Method;
+use crate::texture::Texture;
 use glam::{DMat4, DVec3};
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// Largest width and height of an image, in pixels.
 pub const IMAGE_LIMIT: u32 = 16384;
@@ -128,6 +132,10 @@ pub struct Material {
     pub specular: DVec3,
     /// The exponent n, 0 to 10 000.
     pub shininess: f64,
+    /// A picture that multiplies the colour.
+    pub texture: Option<Arc<Texture>>,
+    /// A height map that bends the normals.
+    pub bump: Option<Arc<BumpMap>>,
 }
 
 /// A mesh somewhere in the world.

@@ -73,6 +73,11 @@ impl Surroundings {
         &self.lights
     }
 
+    /// Whether any material has a texture.
+    pub(crate) fn has_textures(&self) -> bool {
+        self.materials.iter().any(|m| m.texture.is_some())
+    }
+
     /// How many lights there are.
     #[must_use]
     pub fn lights(&self) -> usize {
@@ -149,6 +154,8 @@ mod tests {
                 diffuse: DVec3::splat(0.4),
                 specular: DVec3::splat(0.5),
                 shininess,
+                texture: None,
+                bump: None,
             }],
             viewer: Viewer::Direction(DVec3::Z),
         }

@@ -11,6 +11,7 @@ pub mod flat;
 pub mod gouraud;
 pub mod light;
 pub mod paint;
+mod painted;
 pub mod quadratic;
 pub mod shader;
 pub(crate) mod shared;

@@ -100,7 +100,8 @@ fn scaled(v: [DVec3; 3]) -> [DVec3; 3] {
 pub fn is_plain(p: &Prepared, material: usize) -> bool {
     let s = &p.surroundings;
     let m = s.material(material);
-    matches!(m.brdf, Brdf::Lambert | Brdf::Blinn) && s.lights() <= LIGHTS
+    // Bumps bend normals from pixel to pixel.
+    matches!(m.brdf, Brdf::Lambert | Brdf::Blinn) && s.lights() <= LIGHTS && m.bump.is_none()
 }
 
 /// At the vertices, vectors from a triangle to a point, with perspective weights.
