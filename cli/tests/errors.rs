@@ -3,8 +3,7 @@
 mod common;
 
 use common::{Folder, GOOD};
-
-const METHODS: &str = "exact, flat, gouraud, quadratic";
+use shadegate_reference::{Method, Skips};
 
 #[test]
 fn scenes() {
@@ -43,6 +42,32 @@ fn scenes() {
     );
 }
 
+/// Software draws them, cores do not; `--method` is named because a core's method is asked for first.
+#[test]
+fn scenes_beyond_cores() {
+    let f = Folder::new();
+    for (keys, what) in [
+        ("texture = \"checker\"", "texture"),
+        ("bump = \"bumps\"", "bump map"),
+    ] {
+        f.write(
+            "rich.toml",
+            &GOOD.replace("name = \"clay\"", &format!("name = \"clay\"\n{keys}")),
+        );
+        for command in ["cosim", "gen --scene", "synth --scene"] {
+            f.refuses(
+                &format!("{command} rich.toml --method gouraud"),
+                &format!(
+                    "rich.toml: material 'clay' has a {what}, which no core draws; expected materials without texture \
+                     and bump, or the command render"
+                ),
+            );
+        }
+        f.run("render rich.toml -o rich.png").code(0);
+        std::fs::remove_file(f.0.path().join("rich.png")).unwrap();
+    }
+}
+
 #[test]
 fn sizes() {
     let f = Folder::new();
@@ -66,6 +91,7 @@ fn sizes() {
 #[test]
 fn names() {
     let f = Folder::new();
+    let methods = Method::NAMES.join(", ");
     for command in [
         "render ball.toml",
         "cosim ball.toml",
@@ -73,16 +99,19 @@ fn names() {
     ] {
         f.refuses(
             &format!("{command} --method quadratik"),
-            &format!("unknown method 'quadratik'; the nearest is 'quadratic' of {METHODS}"),
+            &format!("unknown method 'quadratik'; the nearest is 'quadratic' of {methods}"),
         );
     }
     f.refuses(
         "render ball.toml --against exakt",
-        &format!("unknown method 'exakt'; the nearest is 'exact' of {METHODS}"),
+        &format!("unknown method 'exakt'; the nearest is 'exact' of {methods}"),
     );
     f.refuses(
         "render ball.toml --no-skip hiden",
-        "unknown skip 'hiden'; the nearest is 'hidden' of back-face, vertex, frustum, outside, uncovered, hidden",
+        &format!(
+            "unknown skip 'hiden'; the nearest is 'hidden' of {}",
+            Skips::NAMES.join(", ")
+        ),
     );
     let core = "unknown core 'goraud'; the nearest is 'gouraud' of gouraud, quadratic";
     f.refuses("cosim ball.toml --core goraud", core);

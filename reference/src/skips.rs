@@ -35,10 +35,10 @@ pub const DIFFUSE: &str = "diffuse";
 /// The texel of a hidden pixel: not looked up.
 pub const TEXTURE: &str = "texture";
 /// Texture addresses of a triangle that are affine where perspective would move them by less than half a texel; not
-/// for the method `exact`. The one skip that may change the frame, by no more than that.
+/// for the methods `exact` and `auto`.
 pub const AFFINE: &str = "affine";
 /// A span with one reciprocal for all its texture addresses, because depth hardly changes along it; off by less than
-/// 1/256 texel, and not for the method `exact`.
+/// 1/256 texel, and not for the methods `exact` and `auto`.
 pub const CONSTANT_DEPTH: &str = "constant-depth";
 /// A triangle without area, in the mesh or after snapping. Always skipped: there is nothing to draw.
 pub const DEGENERATE: &str = "degenerate";

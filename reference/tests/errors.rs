@@ -104,7 +104,7 @@ fn every_error_names_file_line_field_and_what_would_do() {
         ("shape = \"sphere\"", "shape = \"sphere\"\nscale = 0", "s.toml:19: object[0].scale: has 0; expected a number or [x, y, z], each of size 1e-6 to 1e6"),
         ("shape = \"sphere\"", "mesh = \"none.obj\"", "s.toml:18: object[0].mesh: none.obj: cannot be read (No such file or directory (os error 2)); expected a readable OBJ file"),
         ("shape = \"sphere\"", "mesh = \"none.stl\"", "s.toml:18: object[0].mesh: 'none.stl' has no known ending; expected a file ending in .obj, .gltf or .glb"),
-        ("[[light]]", "[render]\nmethod = \"exakt\"\n[[light]]", "s.toml:11: render.method: unknown 'exakt'; the nearest is 'exact' of exact, flat, gouraud, quadratic"),
+        ("[[light]]", "[render]\nmethod = \"exakt\"\n[[light]]", "s.toml:11: render.method: unknown 'exakt'; the nearest is 'exact' of exact, flat, gouraud, auto, quadratic"),
         ("[[object]]\nshape = \"sphere\"\nmaterial = \"clay\"", "", "s.toml:1: object: missing; expected at least one table [[object]]"),
     ];
     for (from, to, want) in cases {
