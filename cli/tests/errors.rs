@@ -3,7 +3,7 @@
 mod common;
 
 use common::{Folder, GOOD};
-use shadegate_reference::Method;
+use shadegate_reference::{Method, Skips};
 use std::sync::LazyLock;
 
 static METHODS: LazyLock<String> = LazyLock::new(|| Method::NAMES.join(", "));
@@ -43,6 +43,32 @@ fn scenes() {
         "mesh.toml",
         "mesh.toml:18: object[0].mesh: m.obj:3: vertex has 'NaN'; expected three finite numbers",
     );
+}
+
+/// Software draws them, cores do not; `--method` is named because a core's method is asked for first.
+#[test]
+fn scenes_beyond_cores() {
+    let f = Folder::new();
+    for (keys, what) in [
+        ("texture = \"checker\"", "texture"),
+        ("bump = \"bumps\"", "bump map"),
+    ] {
+        f.write(
+            "rich.toml",
+            &GOOD.replace("name = \"clay\"", &format!("name = \"clay\"\n{keys}")),
+        );
+        for command in ["cosim", "gen --scene", "synth --scene"] {
+            f.refuses(
+                &format!("{command} rich.toml --method gouraud"),
+                &format!(
+                    "rich.toml: material 'clay' has a {what}, which no core draws; expected materials without texture \
+                     and bump, or the command render"
+                ),
+            );
+        }
+        f.run("render rich.toml -o rich.png").code(0);
+        std::fs::remove_file(f.0.path().join("rich.png")).unwrap();
+    }
 }
 
 #[test]

@@ -2,13 +2,52 @@
 
 use crate::stimulus::Triangle;
 use shadegate_hdl::shade::model::Order;
-use shadegate_reference::{depth, shade, Method, Prepared, ScreenTriangle};
+use shadegate_reference::{depth, shade, Method, Prepared, Scene, ScreenTriangle};
 
 /// Methods that have a core, by catalogue name.
 pub const CORES: [(&str, Order, Method); 2] = [
     ("gouraud", Order::Linear, Method::Gouraud),
     ("quadratic", Order::Quadratic, Method::Quadratic),
 ];
+
+/// What a scene has that no core draws.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "{file}: material '{material}' has a {what}, which no core draws; expected materials without texture and bump, \
+     or the command render"
+)]
+pub struct Undrawable {
+    /// The scene file.
+    pub file: String,
+    /// The name of the material.
+    pub material: String,
+    /// What it has.
+    pub what: &'static str,
+}
+
+/// Whether cores can draw a scene.
+///
+/// # Errors
+/// The first material of an object that they cannot draw.
+pub fn drawable(scene: &Scene) -> Result<(), Undrawable> {
+    let used = scene
+        .objects
+        .iter()
+        .filter_map(|o| scene.materials.get(o.material));
+    for m in used {
+        let what = match (&m.texture, &m.bump) {
+            (None, None) => continue,
+            (Some(_), _) => "texture",
+            (None, Some(_)) => "bump map",
+        };
+        return Err(Undrawable {
+            file: scene.file.display().to_string(),
+            material: m.name.clone(),
+            what,
+        });
+    }
+    Ok(())
+}
 
 /// The core of a method.
 #[must_use]

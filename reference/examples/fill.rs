@@ -63,6 +63,7 @@ fn main() {
             inv_w: [1.0; 3],
             depth: [0.1, 0.5, 0.9],
             world: [glam::DVec3::ZERO; 3],
+            uv: [glam::DVec2::ZERO; 3],
             normal: [glam::DVec3::Z, glam::DVec3::Y, glam::DVec3::X],
             material: 0,
             object: 0,

@@ -3,6 +3,7 @@
 
 pub mod animation;
 pub mod antialias;
+pub mod bump;
 pub mod depth;
 pub mod geometry;
 pub mod line;
@@ -16,6 +17,7 @@ pub mod scene;
 pub mod shade;
 pub mod skips;
 pub mod supported;
+pub mod texture;
 pub mod visibility;
 
 pub use geometry::{Prepared, ScreenTriangle, TriangleCounts};

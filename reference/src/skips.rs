@@ -1,4 +1,5 @@
-//! Work that need not be done. Every skip leaves the frame as it is, is counted, and can be switched off to prove both.
+//! Work that need not be done. Every skip leaves the frame as it is or within a bound that it states, is counted, and
+//! can be switched off to prove both.
 //!
 //! One condition goes with `back-face` and `back-edge`: they preserve the frame of *closed* objects only, because only
 //! there does a nearer front face hide every back face.
@@ -40,12 +41,20 @@ pub const BLUR: &str = "blur";
 pub const BACK_EDGE: &str = "back-edge";
 /// With anti-aliasing: a triangle in a pixel that those before it cover wholly, not composited.
 pub const MASKED: &str = "masked";
+/// The texel of a hidden pixel: not looked up.
+pub const TEXTURE: &str = "texture";
+/// Texture addresses of a triangle that are affine where perspective would move them by less than half a texel; not
+/// for the methods `exact` and `auto`.
+pub const AFFINE: &str = "affine";
+/// A span with one reciprocal for all its texture addresses, because depth hardly changes along it; off by less than
+/// 1/256 texel, and not for the methods `exact` and `auto`.
+pub const CONSTANT_DEPTH: &str = "constant-depth";
 /// A triangle without area, in the mesh or after snapping. Always skipped: there is nothing to draw.
 pub const DEGENERATE: &str = "degenerate";
 /// A triangle of which the near plane, the far plane or the guard band leaves nothing. Always skipped as well.
 pub const CLIPPED_AWAY: &str = "clipped-away";
 
-const NAMES: [&str; 17] = [
+const NAMES: [&str; 20] = [
     BACK_FACE,
     VERTEX,
     FRUSTUM,
@@ -63,6 +72,9 @@ const NAMES: [&str; 17] = [
     BLUR,
     BACK_EDGE,
     MASKED,
+    TEXTURE,
+    AFFINE,
+    CONSTANT_DEPTH,
 ];
 
 /// Which skips are switched on.
@@ -102,6 +114,9 @@ impl Skips {
             BLUR => "a sub-frame of a frame in which nothing moves by as much as a pixel: drawn once",
             BACK_EDGE => "an edge of a wireframe of which no face shows its front",
             MASKED => "with anti-aliasing: a triangle in a pixel that those before it cover wholly, not composited",
+            TEXTURE => "the texel of a hidden pixel: not looked up",
+            AFFINE => "texture addresses of a triangle that are affine, proved to be off by less than half a texel",
+            CONSTANT_DEPTH => "a span with one reciprocal for all its texture addresses, off by less than 1/256 texel",
             _ => "",
         }
     }

@@ -81,6 +81,7 @@ fn random(r: &mut StdRng) -> Prepared {
         depth: [0.5; 3],
         world,
         normal: [0; 3].map(|_| (middle + direction(r) * spread).normalize()),
+        uv: [glam::DVec2::ZERO; 3],
         material: 0,
         object: 0,
         face: 0,

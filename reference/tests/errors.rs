@@ -78,7 +78,7 @@ fn every_error_names_file_line_field_and_what_would_do() {
         ("width = 64", "widht = 64", "s.toml:2: image.widht: unknown key; the nearest known key is 'width' of width, height, background"),
         ("[image]", "[imago]", "s.toml:1: imago: unknown key; the nearest known key is 'image' of image, camera, light, material, object, render, animation"),
         ("fov = 40", "fow = 40", "s.toml:8: camera.fow: unknown key; the nearest known key is 'fov' of eye, target, up, fov, height, near, far"),
-        ("name = \"clay\"", "name = \"clay\"\nshinyness = 3", "s.toml:16: material[0].shinyness: unknown key; the nearest known key is 'shininess' of name, brdf, ambient, diffuse, specular, shininess, highlight, degree, roughness, f0, emission, shadow"),
+        ("name = \"clay\"", "name = \"clay\"\nshinyness = 3", "s.toml:16: material[0].shinyness: unknown key; the nearest known key is 'shininess' of name, brdf, ambient, diffuse, specular, shininess, highlight, degree, roughness, f0, emission, shadow, texture, mapping, filter, bump, bump_scale, bump_gradient, bump_normalise, wrap, repeat"),
         ("width = 64\n", "", "s.toml:1: image.width: missing; expected an integer from 1 to 16384"),
         ("width = 64", "width = 0", "s.toml:2: image.width: is 0; expected an integer from 1 to 16384"),
         ("width = 64", "width = 16385", "s.toml:2: image.width: is 16385; expected an integer from 1 to 16384"),
@@ -257,6 +257,7 @@ fn damaged_text_never_panics() {
         // Coarser meshes with the same keys.
         .map(|text| text.replace("s = 24", "s = 4").replace("s = 32", "s = 4"))
         .collect();
+    good.extend(["tiles", "bump"].map(|n| std::fs::read_to_string(common::path(n)).unwrap()));
     good.push(GOOD.to_owned());
     let attempt = |bytes: &[u8]| {
         std::fs::write(&file, bytes).unwrap();
@@ -306,4 +307,65 @@ fn damaged_text_never_panics() {
         }
         attempt(&text);
     }
+}
+
+#[test]
+fn errors_of_textures_and_bumps() {
+    let f = Folder::new("textures");
+    let with = |keys: &str| {
+        f.error(&GOOD.replacen("name = \"clay\"", &format!("name = \"clay\"\n{keys}"), 1))
+    };
+    let png = "expected a PNG file of 1x1 to 4096x4096 texels";
+    f.write("no.png", "no picture");
+    shadegate_reference::Frame::new(4097, 1, [0; 3])
+        .save_png(&f.0.join("wide.png"))
+        .unwrap();
+    let texture = "texture = \"checker\"";
+    let bump = "bump = \"bumps\"";
+    for (keys, want) in [
+        ("texture = \"chekcer\"".to_owned(), "16: material[0].texture: unknown 'chekcer'; the nearest is 'checker' of checker, tiles; expected one of them or a file ending in .png".to_owned()),
+        ("texture = 3".into(), "16: material[0].texture: is an integer; expected checker, tiles or the name of a PNG file".into()),
+        ("texture = \"none.png\"".into(), format!("16: material[0].texture: none.png: cannot be read (No such file or directory (os error 2)); {png}")),
+        ("texture = \"wide.png\"".into(), format!("16: material[0].texture: wide.png: 4097x1 texels; {png}")),
+        ("bump = \"bump\"".into(), "16: material[0].bump: unknown 'bump'; the nearest is 'bumps' of bumps, tiles; expected one of them or a file ending in .png".into()),
+        (format!("{texture}\nfilter = \"mipmap\""), "17: material[0].filter: unknown 'mipmap'; the nearest is 'mip-map' of nearest, bilinear, mip-map, ripmap, summed-area".into()),
+        (format!("{texture}\nmapping = \"perspektive\""), "17: material[0].mapping: unknown 'perspektive'; the nearest is 'perspective' of perspective, affine, quadratic".into()),
+        (format!("{texture}\nwrap = \"repeats\""), "17: material[0].wrap: unknown 'repeats'; the nearest is 'repeat' of repeat, clamp".into()),
+        (format!("{texture}\nrepeat = [2, 0]"), "17: material[0].repeat: has 0; expected a number or [u, v], each of size 0.001 to 1000".into()),
+        (format!("{texture}\nrepeat = [1, 2, 3]"), "17: material[0].repeat: has 3 elements; expected a number or [u, v], each of size 0.001 to 1000".into()),
+        ("filter = \"nearest\"".into(), "16: material[0].filter: given without a picture; expected it only together with texture".into()),
+        ("mapping = \"affine\"".into(), "16: material[0].mapping: given without a picture; expected it only together with texture".into()),
+        ("repeat = 2".into(), "16: material[0].repeat: given without a picture; expected it only together with texture or bump".into()),
+        (format!("{texture}\nbump_scale = 1"), "17: material[0].bump_scale: given without a picture; expected it only together with bump".into()),
+        (format!("{bump}\nbump_scale = 1e4"), "17: material[0].bump_scale: is 10000; expected a number from -1000 to 1000".into()),
+        (format!("{bump}\nbump_gradient = \"catmul\""), "17: material[0].bump_gradient: unknown 'catmul'; the nearest is 'catmull-rom' of nearest, linear, catmull-rom, b-spline".into()),
+        (format!("{bump}\nbump_normalise = \"newtn\""), "17: material[0].bump_normalise: unknown 'newtn'; the nearest is 'newton' of exact, reflection, newton".into()),
+    ] {
+        assert_eq!(with(&keys), format!("s.toml:{want}"), "{keys}");
+    }
+    let e = with("texture = \"no.png\"");
+    assert!(
+        e.starts_with("s.toml:16: material[0].texture: no.png: not readable ("),
+        "{e}"
+    );
+    assert!(e.ends_with(png), "{e}");
+    // Meshes without coordinates.
+    let mesh = |file: &str, keys: &str| {
+        let text = GOOD.replacen("name = \"clay\"", &format!("name = \"clay\"\n{keys}"), 1);
+        f.error(&text.replacen("shape = \"sphere\"", &format!("mesh = \"{file}\""), 1))
+    };
+    f.write(
+        "bare.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2 3/1\n",
+    );
+    assert_eq!(
+        mesh("bare.obj", texture),
+        "s.toml:19: object[0].mesh: material 'clay' has a texture, but bare.obj:5: corner '2' has no texture coordinates; expected v/t or v/t/n"
+    );
+    let ring = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/meshes/ring.glb");
+    std::fs::copy(ring, f.0.join("ring.glb")).unwrap();
+    assert_eq!(
+        mesh("ring.glb", bump),
+        "s.toml:19: object[0].mesh: material 'clay' has a bump map, but ring.glb has no texture coordinates; expected TEXCOORD_0"
+    );
 }

@@ -110,3 +110,18 @@ fn anti_aliased() {
         check_frame(&format!("two-lights-{a}"), &frame);
     }
 }
+
+#[test]
+fn perspective_floor() {
+    check("perspective-floor");
+}
+
+#[test]
+fn tiles() {
+    check("tiles");
+}
+
+#[test]
+fn bump() {
+    check("bump");
+}

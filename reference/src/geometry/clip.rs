@@ -4,7 +4,7 @@
 //! the same point to the last bit.
 
 use super::camera::{Clip, View};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// The guard band reaches this far, in half frames from the middle: columns −w/2 to 3w/2.
 pub const GUARD: f64 = 2.0;
@@ -32,6 +32,8 @@ pub struct Vertex {
     pub world: DVec3,
     /// World normal, not renormalised.
     pub normal: DVec3,
+    /// Texture coordinates.
+    pub uv: DVec2,
 }
 
 /// The planes of the drawn volume; a vertex is inside where its distance is not negative.
@@ -95,6 +97,7 @@ fn between(a: Vertex, b: Vertex, t: f64) -> Vertex {
         },
         world: a.world + (b.world - a.world) * t,
         normal: a.normal + (b.normal - a.normal) * t,
+        uv: a.uv + (b.uv - a.uv) * t,
     }
 }
 
@@ -158,6 +161,7 @@ mod tests {
             clip: view.clip(world),
             world,
             normal,
+            uv: world.truncate(),
         }
     }
 
@@ -197,6 +201,7 @@ mod tests {
                 // Attributes stay affine in the world: the normals here are barycentric weights.
                 let p = a * v.normal.x + b * v.normal.y + c * v.normal.z;
                 prop_assert!(p.distance(v.world) < 1e-9);
+                prop_assert!(v.uv.distance(v.world.truncate()) < 1e-9);
                 let again = view.clip(v.world);
                 prop_assert!((again.x - v.clip.x).abs() < 1e-9 && (again.w - v.clip.w).abs() < 1e-9);
             }

@@ -12,7 +12,7 @@ pub use wire::{WireEdge, Wires};
 
 use crate::raster::Point;
 use crate::shade::Surroundings;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 
 /// A triangle ready to be drawn. Seen from its front, its vertices turn counter-clockwise on the screen (so
@@ -30,6 +30,8 @@ pub struct ScreenTriangle {
     pub world: [DVec3; 3],
     /// World normals: unit at vertices of the mesh, a plain linear blend at vertices made by clipping.
     pub normal: [DVec3; 3],
+    /// Texture coordinates, u to the right and v upwards; zero where the mesh has none.
+    pub uv: [DVec2; 3],
     /// Index of the material.
     pub material: usize,
     /// Index of the object.
@@ -113,6 +115,17 @@ impl Prepared {
             wires: Wires::default(),
             surroundings,
         }
+    }
+
+    /// Whether any triangle that is drawn has a texture.
+    #[must_use]
+    pub fn is_textured(&self) -> bool {
+        let s = &self.surroundings;
+        s.has_textures()
+            && self
+                .triangles
+                .iter()
+                .any(|t| s.material(t.material).texture.is_some())
     }
 
     /// Lights, materials and viewer.

@@ -5,7 +5,7 @@ use super::camera::View;
 use super::clip::{Planes, Vertex};
 use crate::mesh::Mesh;
 use crate::raster::Point;
-use glam::{DMat3, DMat4, DVec3};
+use glam::{DMat3, DMat4, DVec2, DVec3};
 
 /// Marks a vertex of a mesh that is not transformed yet.
 const ABSENT: u32 = u32::MAX;
@@ -40,9 +40,14 @@ impl Stand {
         Self {
             transform,
             turn: linear.try_inverse().map_or(linear, |i| i.transpose()),
-            mirrored: linear.determinant() < 0.0,
+            mirrored: mirrors(transform),
         }
     }
+}
+
+/// Whether a transform turns the winding around.
+pub(super) fn mirrors(transform: DMat4) -> bool {
+    DMat3::from_mat4(transform).determinant() < 0.0
 }
 
 /// Transformed vertices, and where those of the object at hand are.
@@ -92,6 +97,8 @@ impl Pool {
             clip: self.view.clip(world),
             world,
             normal: (stand.turn * mesh.normals[index]).normalize_or_zero(),
+            // Coordinates are those of corners, not of vertices, until a face is cut.
+            uv: DVec2::ZERO,
         });
         self.place[index] = place;
         place

@@ -5,7 +5,7 @@ use super::camera::View;
 use super::clip::{clip, Planes, Vertex};
 use super::cull::{box_outside, corners, outside};
 use super::facing::Facing;
-use super::pool::{Pool, Stand};
+use super::pool::{mirrors, Pool, Stand};
 use super::{Prepared, ScreenTriangle, TriangleCounts, Wires, UNSHARED};
 use crate::raster::{area2, covers_any, Point, Viewport};
 use crate::scene::{Draw, Object, Scene, SceneError, IMAGE_LIMIT};
@@ -14,7 +14,7 @@ use crate::shade::Surroundings;
 use crate::skips::{
     Skips, BACK_FACE, CLIPPED_AWAY, DEGENERATE, FRUSTUM, OUTSIDE, SPOT, UNCOVERED, VERTEX,
 };
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 
 /// Why a triangle or a piece of one is not drawn; of several pieces, the last reason stands for the triangle.
@@ -208,7 +208,8 @@ impl Pass<'_> {
         if self.skips.outside && outside(&self.frustum, &vertices.map(|v| v.clip)) {
             return Some(OUTSIDE);
         }
-        for v in &mut vertices {
+        for (v, uv) in vertices.iter_mut().zip(self.uv(&piece)) {
+            v.uv = uv;
             if v.normal == DVec3::ZERO {
                 v.normal = flat.normalize_or_zero();
             }
@@ -317,9 +318,24 @@ impl Pass<'_> {
             depth: [p.depth, q.depth, r.depth],
             world: [p.vertex.world, q.vertex.world, r.vertex.world],
             normal,
+            uv: if piece.cut {
+                [p.vertex.uv, q.vertex.uv, r.vertex.uv]
+            } else {
+                self.uv(piece)
+            },
             material: self.scene.objects[piece.object as usize].material,
             object: piece.object as usize,
             face: piece.face as usize,
+        }
+    }
+
+    /// The texture coordinates at the corners of the face that a piece is of; zero where the mesh has none.
+    fn uv(&self, piece: &Piece) -> [DVec2; 3] {
+        let object = &self.scene.objects[piece.object as usize];
+        match object.mesh.uv.get(piece.face as usize) {
+            Some([a, b, c]) if mirrors(object.transform) => [*a, *c, *b],
+            Some(uv) => *uv,
+            None => [DVec2::ZERO; 3],
         }
     }
 

@@ -165,6 +165,7 @@ impl Wires {
             clip: view.clip(world),
             world,
             normal: DVec3::ZERO,
+            uv: glam::DVec2::ZERO,
         });
         clip(planes, vertices, &mut polygon);
         let mut front = false;

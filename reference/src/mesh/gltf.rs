@@ -1,9 +1,10 @@
 //! glTF 2.0 and GLB: the triangles of the default scene, nodes' transforms applied. Materials and cameras of the file
-//! are not used. Buffers may be the GLB's own, `data:` URIs or files beside the mesh.
+//! are not used; of texture coordinates the first set (TEXCOORD_0) is read, and its v, which glTF counts downwards, is
+//! turned upwards. Buffers may be the GLB's own, `data:` URIs or files beside the mesh.
 
 use super::pseudo_normals::{pseudo_normals, Weighting};
 use super::{Mesh, MeshError};
-use glam::{DMat4, DVec3};
+use glam::{DMat4, DVec2, DVec3};
 use std::path::Path;
 
 fn broken(what: impl Into<String>) -> MeshError {
@@ -177,6 +178,12 @@ fn add(
         if wanted && (a.data_type() != DataType::F32 || a.dimensions() != Dimensions::Vec3) {
             return Err(broken("positions or normals that are not three floats"));
         }
+        if semantic == gltf::Semantic::TexCoords(0)
+            && (!matches!(a.data_type(), DataType::F32 | DataType::U8 | DataType::U16)
+                || a.dimensions() != Dimensions::Vec2)
+        {
+            return Err(broken("texture coordinates that are not two numbers"));
+        }
     }
     if let Some(a) = p.indices() {
         let whole = matches!(a.data_type(), DataType::U8 | DataType::U16 | DataType::U32);
@@ -229,6 +236,20 @@ fn add(
         }
         None => part.normals = pseudo_normals(&part, weighting),
     }
+    if let Some(all) = reader.read_tex_coords(0) {
+        let all: Vec<DVec2> = all
+            .into_f32()
+            .map(|[u, v]| DVec2::new(f64::from(u), 1.0 - f64::from(v)))
+            .collect();
+        let at = |i: u32| all.get(i as usize).copied().unwrap_or_default();
+        part.uv = part.triangles.iter().map(|t| t.map(at)).collect();
+    }
+    // Of several primitives with and without coordinates, the latter lie in the origin of the texture.
+    if !(mesh.uv.is_empty() && part.uv.is_empty()) {
+        mesh.uv.resize(mesh.triangles.len(), [DVec2::ZERO; 3]);
+        part.uv.resize(part.triangles.len(), [DVec2::ZERO; 3]);
+        mesh.uv.append(&mut part.uv);
+    }
     let first = mesh.positions.len() as u32;
     mesh.positions.extend(part.positions);
     mesh.normals.extend(part.normals);
@@ -255,14 +276,80 @@ mod tests {
         assert_eq!(base64("Zm9*"), None);
     }
 
+    /// A file of two triangles with the same positions, the first with texture coordinates as `coordinates` says.
+    fn two_primitives(coordinates: &str) -> String {
+        let numbers: [f32; 15] = [
+            0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, // positions
+            0.0, 1.0, 0.75, 1.0, 0.0, 0.25, // coordinates, v downwards
+        ];
+        let bits: String = numbers
+            .iter()
+            .flat_map(|n| n.to_le_bytes())
+            .map(|b| format!("{b:08b}"))
+            .collect();
+        let sextet = |c: &[u8]| {
+            let index = c.iter().fold(0, |v, b| v * 2 + usize::from(b - b'0'));
+            char::from(b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"[index])
+        };
+        let text: String = bits.as_bytes().chunks(6).map(sextet).collect();
+        format!(
+            r#"{{"asset":{{"version":"2.0"}},"scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0}}],
+            "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"TEXCOORD_0":1}}}},{{"attributes":{{"POSITION":0}}}}]}}],
+            "buffers":[{{"byteLength":60,"uri":"data:;base64,{text}"}}],
+            "bufferViews":[{{"buffer":0,"byteLength":36}},{{"buffer":0,"byteOffset":36,"byteLength":24}}],
+            "accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}},
+            {{"bufferView":1,"componentType":5126,{coordinates}}}]}}"#
+        )
+    }
+
+    #[test]
+    fn texture_coordinates_are_turned_upwards() {
+        let here = Path::new("two.gltf");
+        let text = two_primitives(r#""count":3,"type":"VEC2""#);
+        let m = parse(
+            text.as_bytes(),
+            here,
+            crate::mesh::pseudo_normals::Weighting::default(),
+        )
+        .unwrap();
+        assert_eq!(m.check(), Ok(()));
+        let first = [
+            DVec2::new(0.0, 0.0),
+            DVec2::new(0.75, 0.0),
+            DVec2::new(0.0, 0.75),
+        ];
+        assert_eq!(m.uv, [first, [DVec2::ZERO; 3]]);
+        let text = two_primitives(r#""count":2,"type":"VEC3""#);
+        assert_eq!(
+            parse(
+                text.as_bytes(),
+                here,
+                crate::mesh::pseudo_normals::Weighting::default()
+            )
+            .unwrap_err()
+            .to_string(),
+            "texture coordinates that are not two numbers; expected glTF 2.0 with triangles"
+        );
+    }
+
     #[test]
     fn damaged_files_are_refused_and_never_panic() {
         let good = include_bytes!("../../../scenes/meshes/ring.glb");
         let here = Path::new("ring.glb");
-        let whole = parse(good, here, Weighting::default()).unwrap();
+        let whole = parse(
+            good,
+            here,
+            crate::mesh::pseudo_normals::Weighting::default(),
+        )
+        .unwrap();
         assert_eq!(whole.check(), Ok(()));
         for cut in (0..good.len()).step_by(7) {
-            assert!(parse(&good[..cut], here, Weighting::default()).is_err());
+            assert!(parse(
+                &good[..cut],
+                here,
+                crate::mesh::pseudo_normals::Weighting::default()
+            )
+            .is_err());
         }
         let mut seed = 1u32;
         for _ in 0..3000 {
@@ -272,7 +359,12 @@ mod tests {
                 let at = (seed >> 8) as usize % bad.len();
                 bad[at] = (seed >> 3) as u8;
             }
-            let _ = parse(&bad, here, Weighting::default()).map(|m| m.check());
+            let _ = parse(
+                &bad,
+                here,
+                crate::mesh::pseudo_normals::Weighting::default(),
+            )
+            .map(|m| m.check());
         }
     }
 }

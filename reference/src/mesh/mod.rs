@@ -11,7 +11,7 @@ mod teapot_data;
 pub mod torus;
 pub mod triangulate;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// Most triangles that one mesh may have.
 pub const TRIANGLE_LIMIT: usize = 10_000_000;
@@ -25,6 +25,9 @@ pub struct Mesh {
     pub normals: Vec<DVec3>,
     /// Three vertex indices per triangle, counter-clockwise from outside.
     pub triangles: Vec<[u32; 3]>,
+    /// For every triangle, the texture coordinates (u to the right, v upwards) at its three corners; empty when there
+    /// are none. They belong to corners and not to vertices, so that a seam of the texture splits no vertex.
+    pub uv: Vec<[DVec2; 3]>,
 }
 
 /// Why a mesh cannot be used.
@@ -55,7 +58,8 @@ impl MeshError {
 }
 
 impl Mesh {
-    /// Checks that there is something to draw, that every index exists and that every number is finite.
+    /// Checks that there is something to draw, that every index exists, that every number is finite and that there are
+    /// texture coordinates for all triangles or for none.
     ///
     /// # Errors
     /// The first thing that is wrong.
@@ -89,7 +93,27 @@ impl Mesh {
                 ));
             }
         }
-        Ok(())
+        if !self.uv.is_empty() && self.uv.len() != self.triangles.len() {
+            return Err(MeshError::new(
+                format!(
+                    "{} triangles have texture coordinates, of {}",
+                    self.uv.len(),
+                    self.triangles.len()
+                ),
+                "expected them for all triangles or for none",
+            ));
+        }
+        match self
+            .uv
+            .iter()
+            .position(|t| t.iter().any(|v| !v.is_finite()))
+        {
+            None => Ok(()),
+            Some(t) => Err(MeshError::new(
+                format!("the texture coordinates of triangle {t} are not finite"),
+                "expected finite texture coordinates",
+            )),
+        }
     }
 }
 
@@ -132,6 +156,20 @@ pub(crate) fn assert_outward(mesh: &Mesh, least_cosine: f64) {
     }
 }
 
+/// Every triangle has texture coordinates that turn as its vertices do, u to the right and v upwards seen from the
+/// front; only at poles may they shrink to nothing.
+#[cfg(test)]
+pub(crate) fn assert_mapped(mesh: &Mesh) {
+    assert_eq!(mesh.uv.len(), mesh.triangles.len());
+    for (t, uv) in mesh.uv.iter().enumerate() {
+        let area = (uv[1] - uv[0]).perp_dot(uv[2] - uv[0]);
+        assert!(area > 0.0, "triangle {t}: {uv:?}");
+        assert!(uv
+            .iter()
+            .all(|v| (0.0..=1.0).contains(&v.x) && (0.0..=1.0).contains(&v.y)));
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -156,6 +194,17 @@ mod tests {
         assert_eq!(
             m.check().unwrap_err().to_string(),
             "vertex 1 is not finite; expected finite positions and normals"
+        );
+        m.positions[1] = DVec3::Y;
+        m.uv = vec![[DVec2::ZERO; 3]; 2];
+        assert_eq!(
+            m.check().unwrap_err().to_string(),
+            "2 triangles have texture coordinates, of 1; expected them for all triangles or for none"
+        );
+        m.uv = vec![[DVec2::ZERO, DVec2::NAN, DVec2::ZERO]];
+        assert_eq!(
+            m.check().unwrap_err().to_string(),
+            "the texture coordinates of triangle 0 are not finite; expected finite texture coordinates"
         );
     }
 }

@@ -1,8 +1,10 @@
-//! Wavefront OBJ: `v`, `vn` and `f` (polygons are cut; indices from 1, or negative from the end), read by `tobj`.
+//! Wavefront OBJ: `v`, `vn` and `f` (polygons are cut; indices from 1, or negative from the end), read by `tobj`, and
+//! `vt` by [`coordinates`], so that seams of a texture split no vertex.
 //! Everything else in a file is passed over: it is taken out before the library sees it, since the library would
 //! split the mesh at groups and texture seams, and refuse what does not matter here. When it refuses a file, or is
 //! more lenient than this crate, [`diagnose`] looks for the line.
 
+mod coordinates;
 mod diagnose;
 
 use super::pseudo_normals::{pseudo_normals, Weighting};
@@ -85,37 +87,54 @@ fn relevant(text: &str) -> Option<String> {
     Some(out)
 }
 
+/// Why the file at `path` gives no texture coordinates; nothing if it does.
+///
+/// # Errors
+/// A corner without texture coordinates, or with broken ones, and its line.
+pub fn check_coordinates(path: &Path) -> Result<(), MeshError> {
+    // A file that has just been read; should it be gone, it has no coordinates.
+    let bytes = std::fs::read(path).unwrap_or_default();
+    coordinates::read(&String::from_utf8_lossy(&bytes)).map(|_| ())
+}
+
 fn vectors(flat: &[f64]) -> Vec<DVec3> {
     flat.chunks_exact(3).map(DVec3::from_slice).collect()
 }
 
-/// The faces as triangles. What does not bound an area once, such as a polygon that crosses itself, becomes the fan of its
-/// first corner.
-fn triangles(positions: &[DVec3], mesh: &tobj::Mesh) -> Vec<[u32; 3]> {
-    let mut all = Vec::with_capacity(mesh.indices.len() / 3);
+/// A triangle cut from a face: number of the face, and which of its corners.
+type Cut = (usize, [usize; 3]);
+
+/// Cuts faces into triangles; also says where each came from.
+fn triangles(positions: &[DVec3], mesh: &tobj::Mesh) -> (Vec<[u32; 3]>, Vec<Cut>) {
+    let count = mesh.indices.len() / 3;
+    let (mut all, mut cuts) = (Vec::with_capacity(count), Vec::with_capacity(count));
     let mut rest = mesh.indices.as_slice();
     // Where all faces are triangles, nothing is said about their numbers of corners.
     let mut arities = mesh.face_arities.iter();
+    let mut number = 0;
     while !rest.is_empty() {
         let n = arities.next().map_or(3, |n| *n as usize).min(rest.len());
         let (face, others) = rest.split_at(n);
         rest = others;
-        if let [a, b, c] = *face {
-            all.push([a, b, c]);
-            continue;
-        }
         let corner = |i: &u32| positions.get(*i as usize).copied().unwrap_or(DVec3::NAN);
-        let corners: Vec<DVec3> = face.iter().map(corner).collect();
-        match triangulate(&corners) {
-            Ok(cut) => all.extend(cut.iter().map(|t| t.map(|k| face[k]))),
-            Err(_) => all.extend((2..n).map(|k| [face[0], face[k - 1], face[k]])),
+        let fan = || (2..n).map(|k| [0, k - 1, k]).collect();
+        let cut = match n {
+            3 => vec![[0, 1, 2]],
+            _ => {
+                triangulate(&face.iter().map(corner).collect::<Vec<_>>()).unwrap_or_else(|_| fan())
+            }
+        };
+        for t in cut {
+            all.push(t.map(|k| face[k]));
+            cuts.push((number, t));
         }
+        number += 1;
     }
-    all
+    (all, cuts)
 }
 
 /// Reads what [`relevant`] left.
-fn read(relevant: &str) -> Result<Mesh, tobj::LoadError> {
+fn read(relevant: &str) -> Result<(Mesh, Vec<Cut>), tobj::LoadError> {
     let options = tobj::LoadOptions {
         single_index: true,
         ..tobj::LoadOptions::default()
@@ -124,14 +143,17 @@ fn read(relevant: &str) -> Result<Mesh, tobj::LoadError> {
     let (models, _) = tobj::load_obj_buf(&mut relevant.as_bytes(), &options, no_materials)?;
     // One model: there are no groups.
     let Some(model) = models.into_iter().next() else {
-        return Ok(Mesh::default());
+        return Ok((Mesh::default(), Vec::new()));
     };
     let positions = vectors(&model.mesh.positions);
-    Ok(Mesh {
-        triangles: triangles(&positions, &model.mesh),
+    let (triangles, cuts) = triangles(&positions, &model.mesh);
+    let mesh = Mesh {
+        triangles,
         positions,
         normals: vectors(&model.mesh.normals),
-    })
+        uv: Vec::new(),
+    };
+    Ok((mesh, cuts))
 }
 
 fn parse(text: &str, weighting: Weighting) -> Result<Mesh, MeshError> {
@@ -141,12 +163,28 @@ fn parse(text: &str, weighting: Weighting) -> Result<Mesh, MeshError> {
         })
     };
     let relevant = relevant(text).ok_or_else(|| refused("not plain OBJ".to_owned()))?;
-    let mut mesh = read(&relevant).map_err(|e| refused(e.to_string()))?;
+    let (mut mesh, cuts) = read(&relevant).map_err(|e| refused(e.to_string()))?;
     let finite = |all: &[DVec3]| all.iter().all(|v| v.is_finite());
     // A normal of index 0 the library takes for none at all.
     let whole = mesh.positions.len() == mesh.normals.len();
     if !whole || !finite(&mesh.positions) || !finite(&mesh.normals) {
         return Err(refused("not finite".to_owned()));
+    }
+    // Broken ones do not matter until a material has a texture.
+    if let Ok(faces) = coordinates::read(text) {
+        let of = |(face, t): &Cut| {
+            let corners = faces.get(*face)?;
+            Some([
+                *corners.get(t[0])?,
+                *corners.get(t[1])?,
+                *corners.get(t[2])?,
+            ])
+        };
+        mesh.uv = cuts
+            .iter()
+            .map(of)
+            .collect::<Option<_>>()
+            .unwrap_or_default();
     }
     if mesh.normals.contains(&DVec3::ZERO) {
         // Normals for what has none; those that were given are kept.

@@ -139,6 +139,7 @@ mod tests {
             ],
             normals: vec![DVec3::ZERO; 5],
             triangles: vec![[0, 1, 2], [0, 3, 4]],
+            uv: Vec::new(),
         };
         let at = |w| pseudo_normals(&m, w)[0];
         let want = |z: f64, x: f64| DVec3::new(x, 0.0, z).normalize();
@@ -154,6 +155,7 @@ mod tests {
             positions: vec![DVec3::ZERO, DVec3::X, DVec3::new(0.3, 0.7, 0.1)],
             normals: vec![DVec3::ZERO; 3],
             triangles: vec![[0, 1, 2], [0, 2, 1], [0, 0, 1]],
+            uv: Vec::new(),
         };
         for w in Weighting::ALL {
             assert_eq!(pseudo_normals(&m, w), [DVec3::ZERO; 3], "{w:?}");

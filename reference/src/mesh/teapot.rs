@@ -6,7 +6,7 @@
 
 use super::teapot_data::{Ring, TubeRow, PROFILES, TUBES};
 use super::Mesh;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// Control points, rows along t, columns along s.
 type Patch = [[DVec3; 4]; 4];
@@ -112,7 +112,7 @@ fn evaluate(patch: &Patch, s: f64, t: f64) -> (DVec3, DVec3) {
 }
 
 /// The teapot, y up, standing on y = 0, spout towards +x, 3.15 high; each patch divided into `subdivisions`² squares:
-/// 64·n² − 8·n triangles.
+/// 64·n² − 8·n triangles. A texture fills each patch once, u along s and v along t.
 #[must_use]
 pub fn teapot(subdivisions: u32) -> Mesh {
     let n = subdivisions.max(1);
@@ -138,11 +138,20 @@ pub fn teapot(subdivisions: u32) -> Mesh {
                     index(i + 1, j + 1),
                     index(i + 1, j),
                 ];
-                for t in [[quad[0], quad[1], quad[2]], [quad[0], quad[2], quad[3]]] {
+                let place = |i: u32, j: u32| DVec2::new(f64::from(j), f64::from(i)) / f64::from(n);
+                let corner = [
+                    place(i, j),
+                    place(i, j + 1),
+                    place(i + 1, j + 1),
+                    place(i + 1, j),
+                ];
+                for k in [[0, 1, 2], [0, 2, 3]] {
+                    let t = k.map(|k| quad[k]);
                     let [a, b, c] = t.map(|v| mesh.positions[v as usize]);
                     // At a pole two corners are one.
                     if a != b && b != c && c != a {
                         mesh.triangles.push(t);
+                        mesh.uv.push(k.map(|k| corner[k]));
                     }
                 }
             }
@@ -153,7 +162,7 @@ pub fn teapot(subdivisions: u32) -> Mesh {
 
 #[cfg(test)]
 mod tests {
-    use super::super::assert_outward;
+    use super::super::{assert_mapped, assert_outward};
     use super::*;
     use std::collections::HashMap;
 
@@ -173,6 +182,7 @@ mod tests {
     fn the_bounding_box_and_the_count() {
         let m = teapot(10);
         assert_eq!(m.triangles.len(), 64 * 100 - 80);
+        assert_mapped(&m);
         let (mut lo, mut hi) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for p in &m.positions {
             (lo, hi) = (lo.min(*p), hi.max(*p));

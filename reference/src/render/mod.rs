@@ -16,6 +16,7 @@ use crate::shade::paint::Paint;
 use crate::shade::shader::Shader;
 use crate::shade::{auto, exact, flat, gouraud, hemisphere, quadratic, shared};
 use crate::skips::{self, Skips};
+use crate::texture::Textured;
 use bands::Tally;
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -91,7 +92,7 @@ pub fn render(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, Render
 /// One arm for each method of the catalogue.
 fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats) {
     let start = Instant::now();
-    if o.vectors != Vectors::None {
+    if o.vectors != Vectors::None && !p.is_textured() {
         match method {
             Method::Flat => {
                 let colours = parallel::map(p.triangles.len(), |i| flat::knot(p, &p.triangles[i]));
@@ -110,7 +111,11 @@ fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats)
     }
     if method == Method::Auto {
         let auto = auto::Auto::new(p, o.max_error, &o.skips);
-        let (frame, mut stats) = vectors(p, o, start, |i| auto.paint(i));
+        let (frame, mut stats) = if p.is_textured() {
+            scalar(p, &auto, o, start)
+        } else {
+            vectors(p, o, start, |i| auto.paint(i))
+        };
         for (name, count) in auto.skipped() {
             stats.skipped.insert(name, count);
         }
@@ -147,8 +152,23 @@ fn vectors(
     (frame, stats(p, tally, setup_ns, nanoseconds(start)))
 }
 
-/// Draws pixel by pixel; `start` is when the method began to look at the scene.
+/// Draws pixel by pixel, with textures where there are any; `start` is when the method began to look at the scene.
 fn scalar<S: Shader>(
+    p: &Prepared,
+    shader: &S,
+    o: &RenderOptions,
+    start: Instant,
+) -> (Frame, RenderStats) {
+    if !p.is_textured() {
+        return plain(p, shader, o, start);
+    }
+    let textured = Textured::new(shader, &o.skips);
+    let (frame, mut stats) = plain(p, &textured, o, start);
+    textured.count(&mut stats.skipped);
+    (frame, stats)
+}
+
+fn plain<S: Shader>(
     p: &Prepared,
     shader: &S,
     o: &RenderOptions,

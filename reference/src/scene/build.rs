@@ -51,7 +51,7 @@ pub(super) fn parse(path: &Path, text: &str) -> Result<Scene, SceneError> {
         .iter()
         .map(light::light)
         .collect::<Result<_, _>>()?;
-    let materials = materials(&root)?;
+    let materials = materials(&root, path)?;
     let object_tables = root.tables("object", super::object::KEYS)?;
     let objects = object_tables
         .iter()

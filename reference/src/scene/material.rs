@@ -2,8 +2,12 @@
 
 use super::light::{is_colour, COLOUR};
 use super::read::Table;
-use super::SceneError;
+use super::{surface, SceneError};
+use crate::bump::BumpMap;
+use crate::texture::Texture;
 use glam::DVec3;
+use std::path::Path;
+use std::sync::Arc;
 
 /// The reflection models known to this crate.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,6 +65,10 @@ pub struct Material {
     pub shininess: f64,
     /// The function that makes the highlight.
     pub highlight: Highlight,
+    /// A picture that multiplies the colour.
+    pub texture: Option<Arc<Texture>>,
+    /// A height map that bends the normals.
+    pub bump: Option<Arc<BumpMap>>,
 }
 
 impl Default for Material {
@@ -76,6 +84,8 @@ impl Default for Material {
             specular: DVec3::ZERO,
             shininess: 20.0,
             highlight: Highlight::Pow,
+            texture: None,
+            bump: None,
         }
     }
 }
@@ -105,9 +115,9 @@ const OWN: [(&str, &[&str]); 6] = [
     ("f0", &["cook-torrance"]),
 ];
 
-pub(super) fn materials(root: &Table<'_>) -> Result<Vec<Material>, SceneError> {
+pub(super) fn materials(root: &Table<'_>, scene: &Path) -> Result<Vec<Material>, SceneError> {
     let mut all: Vec<Material> = Vec::new();
-    for t in root.tables("material", KEYS)? {
+    for t in root.tables("material", &[KEYS, surface::KEYS].concat())? {
         let name = t
             .string("name", "a name")?
             .ok_or_else(|| t.missing("name", "a name for objects to use"))?;
@@ -118,7 +128,7 @@ pub(super) fn materials(root: &Table<'_>) -> Result<Vec<Material>, SceneError> {
                 "expected a name of its own",
             ));
         }
-        all.push(material(&t, name)?);
+        all.push(material(&t, name, scene)?);
     }
     if all.is_empty() {
         return Err(root.missing("material", "at least one table [[material]]"));
@@ -126,7 +136,7 @@ pub(super) fn materials(root: &Table<'_>) -> Result<Vec<Material>, SceneError> {
     Ok(all)
 }
 
-fn material(t: &Table<'_>, name: &str) -> Result<Material, SceneError> {
+fn material(t: &Table<'_>, name: &str, scene: &Path) -> Result<Material, SceneError> {
     let plain = Material::default();
     let model = t
         .word("brdf", &["lambert", "phong", "blinn", "cook-torrance"])?
@@ -175,6 +185,8 @@ fn material(t: &Table<'_>, name: &str) -> Result<Material, SceneError> {
         specular,
         shininess,
         highlight,
+        texture: surface::texture(t, scene)?,
+        bump: surface::bump(t, scene)?,
     })
 }
 

@@ -7,6 +7,7 @@ mod light;
 mod material;
 mod object;
 mod read;
+mod surface;
 
 pub use build::load;
 pub use error::SceneError;

@@ -6,7 +6,7 @@ use crate::mesh::pseudo_normals::Weighting;
 use crate::mesh::{self, Mesh};
 use crate::method::nearest;
 use glam::{DMat3, DMat4, DQuat, DVec3, EulerRot};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub(super) const KEYS: &[&str] = &[
     "mesh",
@@ -67,11 +67,15 @@ pub(super) fn object(
             ));
         }
     };
+    let material = material(t, materials)?;
+    if mesh.uv.is_empty() {
+        without_coordinates(t, source, scene, &materials[material])?;
+    }
     Ok(Object {
         source: source.to_owned(),
         mesh,
         transform: transform(t)?,
-        material: material(t, materials)?,
+        material,
         draw: match t.word("draw", &["shaded", "wireframe"])? {
             Some("wireframe") => Draw::Wireframe,
             _ => Draw::Shaded,
@@ -79,15 +83,52 @@ pub(super) fn object(
     })
 }
 
+/// Refuses a mesh without texture coordinates for a material that needs them.
+fn without_coordinates(
+    t: &Table<'_>,
+    file: &str,
+    scene: &Path,
+    material: &Material,
+) -> Result<(), SceneError> {
+    let what = match (&material.texture, &material.bump) {
+        (Some(_), _) => "texture",
+        (_, Some(_)) => "bump map",
+        (None, None) => return Ok(()),
+    };
+    let needs = format!("material '{}' has a {what}, but {file}", material.name);
+    let fault = match ending(file).as_str() {
+        "obj" => mesh::obj::check_coordinates(&beside(scene, file)).err(),
+        _ => None,
+    };
+    match fault {
+        Some(e) => Err(t.error(
+            "mesh",
+            &format!("{needs}:{}: {}", e.line.unwrap_or(1), e.what),
+            &e.accepted,
+        )),
+        None => Err(t.error(
+            "mesh",
+            &format!("{needs} has no texture coordinates"),
+            "expected TEXCOORD_0",
+        )),
+    }
+}
+
+fn beside(scene: &Path, file: &str) -> PathBuf {
+    scene.parent().unwrap_or(Path::new("")).join(file)
+}
+
+/// The ending of a file name, in small letters.
+fn ending(file: &str) -> String {
+    let ending = Path::new(file).extension().unwrap_or_default();
+    ending.to_string_lossy().to_lowercase()
+}
+
 fn from_file(t: &Table<'_>, file: &str, scene: &Path) -> Result<Mesh, SceneError> {
-    let path = scene.parent().unwrap_or(Path::new("")).join(file);
-    let extension = path
-        .extension()
-        .map(|e| e.to_string_lossy().to_lowercase())
-        .unwrap_or_default();
+    let path = beside(scene, file);
     let weighting = t.word("normals", &Weighting::NAMES)?;
     let weighting = weighting.and_then(|w| w.parse().ok()).unwrap_or_default();
-    let mesh = match extension.as_str() {
+    let mesh = match ending(file).as_str() {
         "obj" => mesh::obj::load(&path, weighting),
         "gltf" | "glb" => mesh::gltf::load(&path, weighting),
         _ => {

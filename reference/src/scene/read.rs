@@ -220,6 +220,19 @@ impl<'a> Table<'a> {
         scalar: bool,
         ok: impl Fn(f64) -> bool,
     ) -> Result<Option<DVec3>, SceneError> {
+        Ok(self
+            .numbers_if(key, accepted, scalar, ok)?
+            .map(DVec3::from_array))
+    }
+
+    /// `N` numbers that satisfy `ok` one by one; one number for all of them when `scalar` allows it.
+    pub(super) fn numbers_if<const N: usize>(
+        &self,
+        key: &str,
+        accepted: &str,
+        scalar: bool,
+        ok: impl Fn(f64) -> bool,
+    ) -> Result<Option<[f64; N]>, SceneError> {
         let Some(v) = self.get(key) else {
             return Ok(None);
         };
@@ -232,8 +245,8 @@ impl<'a> Table<'a> {
             }
         };
         match v.get_ref() {
-            DeValue::Array(a) if a.len() == 3 => {
-                let mut out = DVec3::ZERO;
+            DeValue::Array(a) if a.len() == N => {
+                let mut out = [0.0; N];
                 for (i, x) in a.iter().enumerate() {
                     out[i] = checked(x)?;
                 }
@@ -244,9 +257,7 @@ impl<'a> Table<'a> {
                 &format!("has {} elements", a.len()),
                 &format!("expected {accepted}"),
             )),
-            DeValue::Integer(_) | DeValue::Float(_) if scalar => {
-                Ok(Some(DVec3::splat(checked(v)?)))
-            }
+            DeValue::Integer(_) | DeValue::Float(_) if scalar => Ok(Some([checked(v)?; N])),
             _ => Err(self.wrong(key, v, accepted)),
         }
     }

@@ -112,6 +112,11 @@ impl Surroundings {
         &self.lights
     }
 
+    /// Whether any material has a texture.
+    pub(crate) fn has_textures(&self) -> bool {
+        self.materials.iter().any(|m| m.texture.is_some())
+    }
+
     /// How many lights there are.
     #[must_use]
     pub fn lights(&self) -> usize {

@@ -17,6 +17,7 @@ pub mod light;
 pub mod negligible;
 pub mod object_space;
 pub mod paint;
+mod painted;
 pub mod quadratic;
 pub mod reach;
 pub mod shader;

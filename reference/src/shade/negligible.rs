@@ -217,6 +217,7 @@ mod tests {
             depth: [0.5; 3],
             world,
             normal: std::array::from_fn(|_| (normal + vector(rng) * spread).normalize()),
+            uv: [glam::DVec2::ZERO; 3],
             material: 0,
             object: 0,
             face: 0,

@@ -108,6 +108,8 @@ pub fn is_plain(p: &Prepared, t: &ScreenTriangle) -> bool {
     matches!(m.brdf, Brdf::Lambert | Brdf::Blinn)
         && m.highlight == Highlight::Pow
         && m.shadow == 0.0
+        // Bumps bend normals from pixel to pixel.
+        && m.bump.is_none()
         && s.reaching(&t.world).iter().count() <= LIGHTS
         && s.reaching(&t.world).iter().all(plain)
 }

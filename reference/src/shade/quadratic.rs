@@ -37,7 +37,8 @@ pub(crate) fn middle(p: &Prepared, t: &ScreenTriangle, k: usize) -> [f64; 3] {
     super::knot(p.surroundings.shade(t.material, position, normal))
 }
 
-fn middle_weights(t: &ScreenTriangle, k: usize) -> (f64, f64) {
+/// Perspective weights of the ends of edge `k` in its middle on the screen.
+pub(crate) fn middle_weights(t: &ScreenTriangle, k: usize) -> (f64, f64) {
     let (i, j) = EDGES[k];
     let sum = t.inv_w[i] + t.inv_w[j];
     (t.inv_w[i] / sum, t.inv_w[j] / sum)

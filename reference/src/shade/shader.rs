@@ -6,6 +6,8 @@ use crate::raster::Span;
 /// A shading method, ready for one prepared scene: whatever is worked out once per frame or material (tables, shared
 /// knots) is in the value itself.
 pub trait Shader: Sync {
+    /// Whether this is the truth, or promises its distance from it, so that nothing put around it may be approximated.
+    const EXACT: bool = false;
     /// What is worked out once per triangle.
     type Triangle: Send + Sync;
     /// What changes along a span.

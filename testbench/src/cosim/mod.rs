@@ -10,7 +10,7 @@ use crate::compare::{compare, Rgb8Ref};
 use crate::engine::{run, Engine, EngineError, Wave};
 use frames::Frames;
 use shadegate_gen::package::{package, rtl, Package, PackageError};
-use shadegate_gen::scene::{method_of, order_of, triangles};
+use shadegate_gen::scene::{drawable, method_of, order_of, triangles, Undrawable};
 use shadegate_gen::stimulus::{build, StimulusError, StimulusOptions};
 use shadegate_gen::vectors::Trace;
 use shadegate_gen::write::WriteError;
@@ -47,6 +47,9 @@ pub enum CosimError {
     /// The scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// The scene has something that no core draws.
+    #[error(transparent)]
+    Undrawable(#[from] Undrawable),
     /// The method has no core.
     #[error("method '{0}' has no core; methods with a core: gouraud, quadratic")]
     NoCore(Method),
@@ -128,6 +131,7 @@ pub fn prelude(
     let (width, height) = size.unwrap_or((scene.image.width, scene.image.height));
     let core = core_for(method, width, height)?;
     refuse(scene)?;
+    drawable(scene)?;
     let prepared = Prepared::new(scene, Some((width, height)), &Skips::all())?;
     let triangles = triangles(&prepared, core.order);
     let stimulus = build(&core, &triangles, Viewport { width, height }, stimulus)?;
