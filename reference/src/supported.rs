@@ -31,9 +31,13 @@ enum Scope {
 
 fn scope(method: Method) -> Scope {
     match method {
-        Method::Exact | Method::Flat | Method::Gouraud | Method::Auto | Method::Quadratic => {
-            Scope::Everything
-        }
+        Method::Exact
+        | Method::Flat
+        | Method::Gouraud
+        | Method::Auto
+        | Method::Quadratic
+        | Method::PseudoPhong
+        | Method::Phong => Scope::Everything,
         Method::Hemisphere => Scope::Distant,
         #[allow(
             unreachable_patterns,

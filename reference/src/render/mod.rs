@@ -12,9 +12,10 @@ use crate::geometry::Prepared;
 use crate::line::wireframe;
 use crate::method::Method;
 use crate::parallel;
+use crate::shade::dispatch::{dispatch, Visitor};
 use crate::shade::paint::Paint;
 use crate::shade::shader::Shader;
-use crate::shade::{auto, exact, flat, gouraud, hemisphere, quadratic, shared};
+use crate::shade::{auto, flat, shared};
 use crate::skips::{self, Skips};
 use crate::texture::Textured;
 use bands::Tally;
@@ -89,7 +90,7 @@ pub fn render(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, Render
     })
 }
 
-/// One arm for each method of the catalogue.
+/// Many pixels at a time where that is known, else by the method's shader.
 fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats) {
     let start = Instant::now();
     if o.vectors != Vectors::None && !p.is_textured() {
@@ -109,25 +110,33 @@ fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats)
             _ => {}
         }
     }
-    if method == Method::Auto {
-        let auto = auto::Auto::new(p, o.max_error, &o.skips);
-        let (frame, mut stats) = if p.is_textured() {
-            scalar(p, &auto, o, start)
-        } else {
-            vectors(p, o, start, |i| auto.paint(i))
-        };
-        for (name, count) in auto.skipped() {
-            stats.skipped.insert(name, count);
-        }
-        return (frame, stats);
+    if let Some(drawn) = dispatch(p, method, Draw { p, o, start }) {
+        return drawn;
     }
-    match method {
-        Method::Exact => scalar(p, &exact::Exact, o, start),
-        Method::Flat => scalar(p, &flat::Flat, o, start),
-        Method::Gouraud => scalar(p, &gouraud::Gouraud::new(p), o, start),
-        Method::Auto => unreachable!("drawn above"),
-        Method::Hemisphere => scalar(p, &hemisphere::Hemisphere::new(p), o, start),
-        Method::Quadratic => scalar(p, &quadratic::Quadratic::new(p), o, start),
+    let auto = auto::Auto::new(p, o.max_error, &o.skips);
+    let (frame, mut stats) = if p.is_textured() {
+        scalar(p, &auto, o, start)
+    } else {
+        vectors(p, o, start, |i| auto.paint(i))
+    };
+    for (name, count) in auto.skipped() {
+        stats.skipped.insert(name, count);
+    }
+    (frame, stats)
+}
+
+/// Draws with any shader.
+struct Draw<'a> {
+    p: &'a Prepared,
+    o: &'a RenderOptions,
+    start: Instant,
+}
+
+impl Visitor for Draw<'_> {
+    type Out = (Frame, RenderStats);
+
+    fn visit<S: Shader>(self, shader: &S) -> Self::Out {
+        scalar(self.p, shader, self.o, self.start)
     }
 }
 

@@ -5,6 +5,7 @@
 //! (with fall-off) the colours differ from vertex to vertex; methods blend them linearly on the screen.
 
 use super::highlight::Curve;
+use super::quadratic::EDGES;
 use super::unit_normal;
 use crate::geometry::Prepared;
 use crate::scene::Brdf;
@@ -88,5 +89,11 @@ impl Corners {
             curve: *s.reflectance(t.material).curve(),
             terms: s.reaching(&t.world).iter().map(term).collect(),
         }
+    }
+
+    /// cᵢⱼ = nᵢ·nⱼ of the edges 01, 02, 12: they belong to edges of the mesh and do not change when it turns.
+    #[must_use]
+    pub fn cosines(&self) -> [f64; 3] {
+        EDGES.map(|(i, j)| self.normal[i].dot(self.normal[j]))
     }
 }
