@@ -1,5 +1,7 @@
 //! The catalogue of shading methods that this crate draws, by the names users type.
 
+use crate::shade::case::Case;
+use crate::shade::{flat, gouraud, quadratic};
 use std::fmt;
 use std::str::FromStr;
 
@@ -43,6 +45,22 @@ catalogue! {
     Gouraud "gouraud" "linear interpolation of three vertex colours (Gouraud 1971)"
     Auto "auto" "per triangle the cheapest way whose proved error is within --max-error"
     Quadratic "quadratic" "quadratic interpolation of six colours (Abbas 2003 ch. 7; Hast 2004 §3.3)"
+}
+
+impl Method {
+    /// The largest error against the truth, LSB, over all triangles, lights and materials of a case; `None` where
+    /// nothing has been stated. The module of each method says whether its bound is proved or measured.
+    #[must_use]
+    pub fn bound(self, case: &Case) -> Option<f64> {
+        Some(match self {
+            // A bound of its own for every triangle: see `shade::bound`.
+            Self::Auto => return None,
+            Self::Exact => 0.0,
+            Self::Flat => flat::bound(case),
+            Self::Gouraud => gouraud::bound(case),
+            Self::Quadratic => quadratic::bound(case),
+        })
+    }
 }
 
 impl fmt::Display for Method {

@@ -11,9 +11,10 @@ pub use frame::{Frame, FrameError};
 use crate::geometry::Prepared;
 use crate::method::Method;
 use crate::parallel;
+use crate::shade::dispatch::{dispatch, Visitor};
 use crate::shade::paint::Paint;
 use crate::shade::shader::Shader;
-use crate::shade::{auto, exact, flat, gouraud, quadratic, shared};
+use crate::shade::{auto, flat, shared};
 use crate::skips::{self, Skips};
 use bands::Tally;
 use std::collections::BTreeMap;
@@ -81,7 +82,7 @@ pub fn render(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, Render
     parallel::with(o.threads, || draw(p, method, o))
 }
 
-/// One arm for each method of the catalogue.
+/// The truth has depths in full precision; everything else has the depth buffer of the hardware.
 fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats) {
     let start = Instant::now();
     if o.vectors != Vectors::None {
@@ -101,20 +102,29 @@ fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats)
             _ => {}
         }
     }
-    if method == Method::Auto {
-        let auto = auto::Auto::new(p, o.max_error, &o.skips);
-        let (frame, mut stats) = vectors(p, o, start, |i| auto.paint(i));
-        for (name, count) in auto.skipped() {
-            stats.skipped.insert(name, count);
-        }
-        return (frame, stats);
+    if let Some(drawn) = dispatch(p, method, Draw { p, o, start }) {
+        return drawn;
     }
-    match method {
-        Method::Exact => scalar(p, &exact::Exact, o, start),
-        Method::Flat => scalar(p, &flat::Flat, o, start),
-        Method::Gouraud => scalar(p, &gouraud::Gouraud::new(p), o, start),
-        Method::Auto => unreachable!("drawn above"),
-        Method::Quadratic => scalar(p, &quadratic::Quadratic::new(p), o, start),
+    let auto = auto::Auto::new(p, o.max_error, &o.skips);
+    let (frame, mut stats) = vectors(p, o, start, |i| auto.paint(i));
+    for (name, count) in auto.skipped() {
+        stats.skipped.insert(name, count);
+    }
+    (frame, stats)
+}
+
+/// Draws with any shader.
+struct Draw<'a> {
+    p: &'a Prepared,
+    o: &'a RenderOptions,
+    start: Instant,
+}
+
+impl Visitor for Draw<'_> {
+    type Out = (Frame, RenderStats);
+
+    fn visit<S: Shader>(self, shader: &S) -> Self::Out {
+        scalar(self.p, shader, self.o, self.start)
     }
 }
 

@@ -4,8 +4,10 @@
 pub mod auto;
 pub mod barycentric;
 pub mod bound;
+pub mod case;
 pub mod corners;
 pub mod differences;
+pub mod dispatch;
 pub mod exact;
 pub mod flat;
 pub mod gouraud;

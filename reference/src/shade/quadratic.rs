@@ -5,6 +5,7 @@
 //! wᵢ/(wᵢ + wⱼ) with w = 1/w; the formula is symmetric in i and j, so both triangles at an edge get the same bits.
 
 use super::barycentric::weights;
+use super::case::Case;
 use super::differences::{Differences, Interpolant};
 use super::shader::Shader;
 use super::{gouraud, shared, unit_normal};
@@ -63,6 +64,22 @@ pub fn value(position: &[Point; 3], knots: &[[f64; 3]; 6], x: i32, y: i32) -> [f
         4.0 * w[1] * w[2],
     ];
     [0, 1, 2].map(|c| (0..6).map(|k| basis[k] * knots[k][c]).sum())
+}
+
+/// Bound on the error, LSB, for far lights and a far viewer; measured (fitted to the sweep of `tests/accuracy`):
+/// third-order in spread·√n for the highlight and in the spread for the diffuse term, and the kinks of both at their
+/// terminators. Otherwise the whole range, which six knots overshoot by up to a third (proved: their basis functions
+/// have negative parts that sum to −1/3).
+#[must_use]
+pub fn bound(case: &Case) -> f64 {
+    let s = case.spread;
+    if case.turn > 0.0 || s > 1.6 || case.shininess < 1.0 {
+        return 4.0 / 3.0 * case.whole();
+    }
+    let z = s * case.shininess.sqrt();
+    let diffuse = 0.02 * s.powi(3) + 0.1 * s;
+    let specular = 0.02 * z.powi(3) + 0.1 * s.powf(case.shininess);
+    case.terms(diffuse.min(4.0 / 3.0), specular.min(4.0 / 3.0))
 }
 
 /// The method for the renderer: knots shared between triangles, then forward differences.
