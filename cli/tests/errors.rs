@@ -4,8 +4,6 @@ mod common;
 
 use common::{Folder, GOOD};
 
-const METHODS: &str = "exact, flat, gouraud, quadratic";
-
 #[test]
 fn scenes() {
     let f = Folder::new();
@@ -66,6 +64,7 @@ fn sizes() {
 #[test]
 fn names() {
     let f = Folder::new();
+    let methods = shadegate_reference::Method::NAMES.join(", ");
     for command in [
         "render ball.toml",
         "cosim ball.toml",
@@ -73,12 +72,12 @@ fn names() {
     ] {
         f.refuses(
             &format!("{command} --method quadratik"),
-            &format!("unknown method 'quadratik'; the nearest is 'quadratic' of {METHODS}"),
+            &format!("unknown method 'quadratik'; the nearest is 'quadratic' of {methods}"),
         );
     }
     f.refuses(
         "render ball.toml --against exakt",
-        &format!("unknown method 'exakt'; the nearest is 'exact' of {METHODS}"),
+        &format!("unknown method 'exakt'; the nearest is 'exact' of {methods}"),
     );
     f.refuses(
         "render ball.toml --no-skip hiden",

@@ -1,7 +1,10 @@
 //! The catalogue of shading methods that this crate draws, by the names users type.
 
 use crate::shade::case::Case;
-use crate::shade::{flat, gouraud, quadratic};
+use crate::shade::{
+    angular, angular_single, dot_product, duff, euler, flat, gouraud, hybrid, newton, normals,
+    phong, polar_angle, pseudo_phong, quadratic, reflection, taylor, x_shading,
+};
 use std::fmt;
 use std::str::FromStr;
 
@@ -44,6 +47,22 @@ catalogue! {
     Flat "flat" "one colour per triangle (Bouknight 1970)"
     Gouraud "gouraud" "linear interpolation of three vertex colours (Gouraud 1971)"
     Auto "auto" "per triangle the cheapest way whose proved error is within --max-error"
+    Normals "normals" "blended normals, not normalised (Abbas 2003 §5.1)"
+    DotProduct "dot-product" "linear interpolation of N·L and N·H (Abbas 2003 §5.2)"
+    PolarAngle "polar-angle" "linear interpolation of the angles between N and L, N and H (Abbas 2003 §5.3)"
+    Angular "angular" "N, L and H turn at constant rates (Kuijk & Blake 1989, two paths)"
+    AngularSingle "angular-single" "L relative to N turns at a constant rate (Kuijk & Blake 1989, one path)"
+    Duff "duff" "Phong by forward differences, a root per pixel (Duff 1979)"
+    Taylor "taylor" "Phong as a Taylor polynomial about the centroid (Bishop & Weimer 1986)"
+    TaylorVertex "taylor-vertex" "the same about a vertex, for comparison"
+    Euler "euler" "quadratic along spans by Euler's method (Hast 2004 §3.1)"
+    Hybrid "hybrid" "linear diffuse term, Phong's highlight without a root (Hast 2004 §3.1)"
+    Reflection "reflection" "normals made unit by a reflection, a division per pixel (Hast 2004 §3.1)"
+    Newton "newton" "normals made nearly unit by one Newton step (Hast 2004 §3.5)"
+    XShading "x-shading" "quadratic N·L and N·H, mid-edges by one Newton step (Hast 2004 §3.3.9)"
+    XShadingCached "x-shading-cached" "the same with exact mid-edges by factors kept per mesh edge"
+    PseudoPhong "pseudo-phong" "Gouraud on four parts whose vertices are Phong's (Tektronix, in Abbas 2003 §5)"
+    Phong "phong" "normals blended and normalised per pixel, in single precision (Phong 1975)"
     Quadratic "quadratic" "quadratic interpolation of six colours (Abbas 2003 ch. 7; Hast 2004 §3.3)"
 }
 
@@ -58,6 +77,22 @@ impl Method {
             Self::Exact => 0.0,
             Self::Flat => flat::bound(case),
             Self::Gouraud => gouraud::bound(case),
+            Self::Normals => normals::bound(case),
+            Self::DotProduct => dot_product::bound(case),
+            Self::PolarAngle => polar_angle::bound(case),
+            Self::Angular => angular::bound(case),
+            Self::AngularSingle => angular_single::bound(case),
+            Self::Duff => duff::bound(case),
+            Self::Taylor => taylor::bound(case),
+            Self::TaylorVertex => taylor::vertex_bound(case),
+            Self::Euler => euler::bound(case),
+            Self::Hybrid => hybrid::bound(case),
+            Self::Reflection => reflection::bound(case),
+            Self::Newton => newton::bound(case),
+            Self::XShading => x_shading::bound(case),
+            Self::XShadingCached => x_shading::cached_bound(case),
+            Self::PseudoPhong => pseudo_phong::bound(case),
+            Self::Phong => phong::bound(case),
             Self::Quadratic => quadratic::bound(case),
         })
     }

@@ -15,7 +15,8 @@
 /// Rounding of all methods in f64 together, LSB; see [`super::differences`] for the largest part of it.
 pub const ROUNDING: f64 = 1e-6;
 
-/// A class of triangles, lights and materials.
+/// A class of triangles, lights and materials (Lambert's or Blinn's model). Perspective weights are equal, except for
+/// methods that say they are perspective-correct.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Case {
     /// Largest angle between two vertex normals, rad, 0 to π.
@@ -67,6 +68,18 @@ fn power_change(n: f64, e: f64) -> f64 {
 }
 
 impl Case {
+    /// Whether light and viewer are infinitely far and no two vertex normals are more than 90° apart.
+    #[must_use]
+    pub fn is_far_and_acute(&self) -> bool {
+        self.turn == 0.0 && self.is_acute()
+    }
+
+    /// Whether no two vectors of a kind are more than 90° apart, to rounding.
+    #[must_use]
+    pub fn is_acute(&self) -> bool {
+        self.spread.max(self.turn) <= std::f64::consts::FRAC_PI_2 + 1e-9
+    }
+
     /// Bounds from errors of the diffuse and of the specular term, as fractions of kd and ks.
     #[must_use]
     pub fn terms(&self, diffuse: f64, specular: f64) -> f64 {

@@ -4,6 +4,7 @@
 //! I = ambient + Σ diffuse·max(0, N·L) + specular·max(0, N·H)ⁿ, all in LSB. Where light or viewer are near, L and H and
 //! (with fall-off) the colours differ from vertex to vertex; methods blend them linearly on the screen.
 
+use super::quadratic::EDGES;
 use super::unit_normal;
 use crate::geometry::Prepared;
 use glam::DVec3;
@@ -73,5 +74,11 @@ impl Corners {
             shininess: material.shininess,
             terms: (0..s.lights()).map(term).collect(),
         }
+    }
+
+    /// cᵢⱼ = nᵢ·nⱼ of the edges 01, 02, 12: they belong to edges of the mesh and do not change when it turns.
+    #[must_use]
+    pub fn cosines(&self) -> [f64; 3] {
+        EDGES.map(|(i, j)| self.normal[i].dot(self.normal[j]))
     }
 }

@@ -1,6 +1,21 @@
 //! From a method's name to its shader: the one place that knows all of them.
 
+use super::angular::Angular;
+use super::angular_single::AngularSingle;
+use super::dot_product::DotProduct;
+use super::duff::Duff;
+use super::euler::Euler;
+use super::hybrid::Hybrid;
+use super::lit::Lit;
+use super::newton::Newton;
+use super::normals::Normals;
+use super::phong::Phong;
+use super::polar_angle::PolarAngle;
+use super::pseudo_phong::PseudoPhong;
+use super::reflection::Reflection;
 use super::shader::Shader;
+use super::taylor::Taylor;
+use super::x_shading::XShading;
 use super::{exact, flat, gouraud, quadratic};
 use crate::geometry::Prepared;
 use crate::method::Method;
@@ -22,6 +37,22 @@ pub fn dispatch<V: Visitor>(p: &Prepared, method: Method, visitor: V) -> Option<
         Method::Exact => visitor.visit(&exact::Exact),
         Method::Flat => visitor.visit(&flat::Flat),
         Method::Gouraud => visitor.visit(&gouraud::Gouraud::new(p)),
+        Method::Normals => visitor.visit(&Lit(Normals)),
+        Method::DotProduct => visitor.visit(&Lit(DotProduct)),
+        Method::PolarAngle => visitor.visit(&Lit(PolarAngle)),
+        Method::Angular => visitor.visit(&Lit(Angular)),
+        Method::AngularSingle => visitor.visit(&Lit(AngularSingle)),
+        Method::Duff => visitor.visit(&Lit(Duff)),
+        Method::Taylor => visitor.visit(&Lit(Taylor::Centroid)),
+        Method::TaylorVertex => visitor.visit(&Lit(Taylor::Vertex)),
+        Method::Euler => visitor.visit(&Lit(Euler)),
+        Method::Hybrid => visitor.visit(&Lit(Hybrid)),
+        Method::Reflection => visitor.visit(&Lit(Reflection)),
+        Method::Newton => visitor.visit(&Lit(Newton)),
+        Method::XShading => visitor.visit(&Lit(XShading::Newton)),
+        Method::XShadingCached => visitor.visit(&Lit(XShading::Cached)),
+        Method::PseudoPhong => visitor.visit(&PseudoPhong::new(p)),
+        Method::Phong => visitor.visit(&Phong::new(p)),
         Method::Quadratic => visitor.visit(&quadratic::Quadratic::new(p)),
     })
 }

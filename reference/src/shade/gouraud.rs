@@ -38,7 +38,7 @@ pub fn value(position: &[Point; 3], knots: &[[f64; 3]; 3], x: i32, y: i32) -> [f
 /// between nᵢ and the blend.
 #[must_use]
 pub fn bound(case: &Case) -> f64 {
-    if case.turn > 0.0 || case.spread > std::f64::consts::FRAC_PI_2 {
+    if !case.is_far_and_acute() {
         return case.whole();
     }
     let diffuse = (1.0 - shortest(case.spread)).max((case.spread / 2.0).sin() / 2.0);

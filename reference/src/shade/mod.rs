@@ -1,21 +1,42 @@
 //! What colour a surface has, and what each method makes of it between the places where that is worked out.
 //! Colours are real numbers in units of one 255th of full scale (LSB), not limited above unless said so.
 
+pub mod angular;
+pub mod angular_single;
 pub mod auto;
 pub mod barycentric;
 pub mod bound;
 pub mod case;
 pub mod corners;
+pub mod cut;
 pub mod differences;
 pub mod dispatch;
+pub mod dot_product;
+pub mod duff;
+pub mod euler;
 pub mod exact;
 pub mod flat;
+pub mod form;
 pub mod gouraud;
+pub mod hybrid;
 pub mod light;
+pub mod lit;
+pub mod newton;
+pub mod normals;
 pub mod paint;
+pub mod phong;
+pub mod polar_angle;
+#[cfg(test)]
+mod probe;
+pub mod pseudo_phong;
 pub mod quadratic;
+pub mod reflection;
+pub mod series;
 pub mod shader;
 pub(crate) mod shared;
+pub mod taylor;
+pub mod turn;
+pub mod x_shading;
 
 pub use light::Surroundings;
 

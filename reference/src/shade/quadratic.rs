@@ -73,7 +73,7 @@ pub fn value(position: &[Point; 3], knots: &[[f64; 3]; 6], x: i32, y: i32) -> [f
 #[must_use]
 pub fn bound(case: &Case) -> f64 {
     let s = case.spread;
-    if case.turn > 0.0 || s > 1.6 || case.shininess < 1.0 {
+    if !case.is_far_and_acute() || case.shininess < 1.0 {
         return 4.0 / 3.0 * case.whole();
     }
     let z = s * case.shininess.sqrt();

@@ -34,9 +34,15 @@ impl Visitor for Colours<'_> {
     }
 }
 
-/// The colours of a method.
+/// Every method that has a shader.
+pub fn methods() -> Vec<Method> {
+    let all = Method::ALL.iter().copied();
+    all.filter(|m| *m != Method::Auto).collect()
+}
+
+/// The colours of one of them.
 pub fn colours(p: &Prepared, method: Method) -> Vec<(i32, i32, f64)> {
-    dispatch(p, method, Colours(p))
+    dispatch(p, method, Colours(p)).expect("a method with a shader")
 }
 
 /// Errors of many pixels.

@@ -4,7 +4,11 @@
 //! The truth is worked out here from the definition, with nothing of the crate's shading code. `SHADEGATE_ROUNDS=k`
 //! repeats the sweep with k different seeds.
 
+mod definitions;
+mod degenerate;
 mod draw;
+mod hast;
+mod near;
 mod oracle;
 mod setting;
 mod sweep;

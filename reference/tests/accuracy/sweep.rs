@@ -1,7 +1,7 @@
 //! No method exceeds its bound: spread 0 to 90 degrees, spans of 1 to 2048 pixels, exponents 1 to 500, light straight,
 //! oblique and behind, matt, shiny and mixed materials.
 
-use crate::draw::Ready;
+use crate::draw::{methods, Ready};
 use crate::oracle::Truth;
 use crate::setting::{normals, shape, Place, Setting};
 use crate::vector::{around, blend, dot, unit, weights, Vector};
@@ -39,7 +39,7 @@ fn light(rng: &mut StdRng, kind: Light, normal: [Vector; 3]) -> (Vector, Vector)
 }
 
 /// A random triangle of a combination of the sweep, far or near.
-fn setting(rng: &mut StdRng, combination: [usize; 5]) -> Setting {
+pub fn setting(rng: &mut StdRng, combination: [usize; 5]) -> Setting {
     let [spread, span, exponent, kind, material] = combination;
     let width = SPANS[span];
     let height = (1000.0 / width).clamp(2.0, 40.0);
@@ -62,7 +62,7 @@ fn setting(rng: &mut StdRng, combination: [usize; 5]) -> Setting {
     }
 }
 
-fn combinations() -> Vec<[usize; 5]> {
+pub fn combinations() -> Vec<[usize; 5]> {
     let mut out = Vec::new();
     for spread in 0..SPREADS.len() {
         for span in 0..SPANS.len() {
@@ -93,7 +93,7 @@ fn rounds() -> u64 {
 }
 
 /// The worst of every method over settings.
-fn sweep(settings: &[Setting]) -> Vec<Worst> {
+fn sweep(settings: &[Setting], methods: &[Method]) -> Vec<Worst> {
     let none = || {
         vec![
             Worst {
@@ -102,7 +102,7 @@ fn sweep(settings: &[Setting]) -> Vec<Worst> {
                 bound: 0.0,
                 setting: None
             };
-            Method::ALL.len()
+            methods.len()
         ]
     };
     settings
@@ -112,7 +112,7 @@ fn sweep(settings: &[Setting]) -> Vec<Worst> {
                 return worst;
             };
             let case = s.case();
-            for (w, m) in worst.iter_mut().zip(Method::ALL) {
+            for (w, m) in worst.iter_mut().zip(methods) {
                 let Some(bound) = m.bound(&case) else {
                     continue;
                 };
@@ -141,16 +141,16 @@ fn sweep(settings: &[Setting]) -> Vec<Worst> {
 /// What a method is held against where light or viewer are near.
 fn truth(m: Method) -> Truth {
     match m {
-        Method::Exact => Truth::Positions,
+        Method::Exact | Method::Phong => Truth::Positions,
         _ => Truth::Blended,
     }
 }
 
-fn check(what: &str, settings: &[Setting]) {
-    let worst = sweep(settings);
+fn check(what: &str, settings: &[Setting], methods: &[Method]) {
+    let worst = sweep(settings, methods);
     let mut wrong = Vec::new();
     println!("{what}: {} triangles", settings.len());
-    for (w, m) in worst.iter().zip(Method::ALL) {
+    for (w, m) in worst.iter().zip(methods) {
         let at = w.setting.as_ref().map(|s| (s.case(), s.size));
         println!(
             "{:20} {:5.3} of its bound ({:.4} of {:.4} LSB) {at:?}",
@@ -175,7 +175,29 @@ fn far_light_and_viewer() {
             settings.push(setting(&mut rng, c));
         }
     }
-    check("far", &settings);
+    check("far", &settings, &methods());
+}
+
+/// A triangle of a combination with a light and an eye near it.
+pub fn near(rng: &mut StdRng, c: [usize; 5]) -> Setting {
+    let mut s = setting(rng, c);
+    let mut place = || {
+        let d = around(rng, [0.0, 0.0, 1.0], 0.0..1.4);
+        let reach: f64 = rng.random_range(0.0..3.0);
+        d.map(|v| v * 1.2 * reach.exp())
+    };
+    s.place = Place::Near {
+        light: place(),
+        eye: place(),
+    };
+    // Turned so that the mean normal faces both more or less.
+    s.normal = loop {
+        let n = normals(rng, SPREADS[c[0]].to_radians(), c[1] % 3 == 0);
+        if blend([1.0; 3], n)[2] > 0.2 {
+            break n;
+        }
+    };
+    s
 }
 
 #[test]
@@ -184,28 +206,27 @@ fn near_light_and_viewer() {
     for seed in 0..rounds() {
         let mut rng = StdRng::seed_from_u64(1000 + seed);
         for c in combinations().into_iter().step_by(3) {
+            settings.push(near(&mut rng, c));
+        }
+    }
+    check("near", &settings, &methods());
+}
+
+/// Methods that blend weighted vectors are right in perspective, too.
+#[test]
+fn in_perspective() {
+    let mut settings = Vec::new();
+    for seed in 0..rounds() {
+        let mut rng = StdRng::seed_from_u64(2000 + seed);
+        for c in combinations().into_iter().step_by(5) {
             let mut s = setting(&mut rng, c);
-            let front = [0.0, 0.0, 1.0];
-            let near = |rng: &mut StdRng| {
-                let d = around(rng, front, 0.0..1.4);
-                let reach: f64 = rng.random_range(0.0..3.0);
-                d.map(|v| v * 1.2 * reach.exp())
-            };
-            s.place = Place::Near {
-                light: near(&mut rng),
-                eye: near(&mut rng),
-            };
-            s.normal = [0; 3].map(|_| [0.0; 3]);
-            let spread = SPREADS[c[0]].to_radians();
-            // Turned so that the mean normal faces the light more or less.
-            s.normal = loop {
-                let n = normals(&mut rng, spread, c[1] % 3 == 0);
-                if blend([1.0; 3], n)[2] > 0.2 {
-                    break n;
-                }
-            };
+            s.inv_w = [0; 3].map(|_| rng.random_range(0.02..2.0));
             settings.push(s);
         }
     }
-    check("near", &settings);
+    check(
+        "perspective",
+        &settings,
+        &[Method::Exact, Method::Duff, Method::Phong],
+    );
 }

@@ -78,3 +78,12 @@ pub fn weights(rng: &mut StdRng) -> [f64; 3] {
     };
     [1.0 - a - b, a, b]
 }
+
+/// Turns `v` about a unit axis (Rodrigues).
+pub fn rotate(v: Vector, axis: Vector, by: f64) -> Vector {
+    let along = scale(axis, dot(axis, v) * (1.0 - by.cos()));
+    add(
+        add(scale(v, by.cos()), scale(cross(axis, v), by.sin())),
+        along,
+    )
+}
