@@ -176,7 +176,7 @@ mod tests {
                 let n = normals(&mut rng, s, shape);
                 let [a, b, t]: [f64; 3] = [0; 3].map(|_| rng.random());
                 // A row from edge 01, or its end, to edge 02.
-                let a = if k % 2 == 0 { 1.0 } else { a };
+                let a = if k.is_multiple_of(2) { 1.0 } else { a };
                 let (p, q) = (n[0].lerp(n[1], a), n[0].lerp(n[2], b));
                 let truth = p.lerp(q, t).normalize();
                 let (p, q) = (p.normalize(), q.normalize());

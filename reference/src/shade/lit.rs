@@ -92,12 +92,19 @@ impl Tint {
     }
 }
 
+/// One light along a span.
+struct Glow<W> {
+    cosines: W,
+    diffuse: Tint,
+    specular: Tint,
+}
+
 /// A span.
 pub struct Lights<M: Cosines> {
     ambient: DVec3,
     shininess: f64,
     shared: Along<M::Shared>,
-    terms: SmallVec<[(Along<M::Own>, Tint, Tint); 2]>,
+    terms: SmallVec<[Glow<Along<M::Own>>; 2]>,
 }
 
 impl<M: Cosines> Shader for Lit<M> {
@@ -125,12 +132,10 @@ impl<M: Cosines> Shader for Lit<M> {
 
     fn start<'a>(&'a self, _: &'a Prepared, t: &'a Surface<M>, span: Span) -> Lights<M> {
         let at = Start::new(t.position, span);
-        let own = |o: &Own<M::Own>| {
-            (
-                o.cosines.start(&at),
-                o.diffuse.start(&at),
-                o.specular.start(&at),
-            )
+        let own = |o: &Own<M::Own>| Glow {
+            cosines: o.cosines.start(&at),
+            diffuse: o.diffuse.start(&at),
+            specular: o.specular.start(&at),
         };
         Lights {
             ambient: t.ambient,
@@ -144,12 +149,12 @@ impl<M: Cosines> Shader for Lit<M> {
 impl<M: Cosines> Run for Lights<M> {
     fn colour(&self) -> [f64; 3] {
         let mut sum = self.ambient;
-        for (own, diffuse, specular) in &self.terms {
-            let [light, half] = M::cosines(&self.shared, own).map(limit);
-            sum += diffuse.value * light;
+        for term in &self.terms {
+            let [light, half] = M::cosines(&self.shared, &term.cosines).map(limit);
+            sum += term.diffuse.value * light;
             // At a shininess of 0 a power alone would light what is turned away.
-            if half > 0.0 && specular.value != DVec3::ZERO {
-                sum += specular.value * M::highlight(half, self.shininess);
+            if half > 0.0 && term.specular.value != DVec3::ZERO {
+                sum += term.specular.value * M::highlight(half, self.shininess);
             }
         }
         sum.to_array()
@@ -157,10 +162,10 @@ impl<M: Cosines> Run for Lights<M> {
 
     fn step(&mut self) {
         self.shared.step();
-        for (own, diffuse, specular) in &mut self.terms {
-            own.step();
-            diffuse.step();
-            specular.step();
+        for term in &mut self.terms {
+            term.cosines.step();
+            term.diffuse.step();
+            term.specular.step();
         }
     }
 }

@@ -44,7 +44,7 @@ pub fn setting(rng: &mut StdRng, combination: [usize; 5]) -> Setting {
     let width = SPANS[span];
     let height = (1000.0 / width).clamp(2.0, 40.0);
     let (size, position) = shape(rng, width, height);
-    let normal = normals(rng, SPREADS[spread].to_radians(), span % 3 == 0);
+    let normal = normals(rng, SPREADS[spread].to_radians(), span.is_multiple_of(3));
     let kind = [Light::Straight, Light::Oblique, Light::Behind][kind];
     let (light, half) = light(rng, kind, normal);
     let (diffuse, specular) = MATERIALS[material];
@@ -192,7 +192,7 @@ pub fn near(rng: &mut StdRng, c: [usize; 5]) -> Setting {
     };
     // Turned so that the mean normal faces both more or less.
     s.normal = loop {
-        let n = normals(rng, SPREADS[c[0]].to_radians(), c[1] % 3 == 0);
+        let n = normals(rng, SPREADS[c[0]].to_radians(), c[1].is_multiple_of(3));
         if blend([1.0; 3], n)[2] > 0.2 {
             break n;
         }
