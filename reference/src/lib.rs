@@ -9,6 +9,7 @@ mod parallel;
 pub mod raster;
 pub mod render;
 pub mod scene;
+pub mod setup;
 pub mod shade;
 pub mod skips;
 pub mod visibility;

@@ -30,6 +30,7 @@ pub mod polar_angle;
 mod probe;
 pub mod pseudo_phong;
 pub mod quadratic;
+pub mod quadric;
 pub mod reflection;
 pub mod series;
 pub mod shader;
