@@ -14,6 +14,7 @@ pub mod raster;
 pub mod render;
 pub mod sample;
 pub mod scene;
+pub mod setup;
 pub mod shade;
 pub mod skips;
 pub mod supported;

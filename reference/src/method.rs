@@ -2,8 +2,10 @@
 
 use crate::shade::case::Case;
 use crate::shade::{
-    angular, angular_single, dot_product, duff, euler, flat, gouraud, hybrid, newton, normals,
-    phong, polar_angle, pseudo_phong, quadratic, reflection, taylor, x_shading,
+    angular, angular_single, blake, dot_product, duff, euler, flat, gouraud, hybrid, newton,
+    normals, phong, polar_angle, pseudo_phong, quadratic, quadratic_adaptive,
+    quadratic_adaptive_centre, quadratic_dots, reflection, slerp, spherical, spherical_cos2,
+    spherical_cosn, spherical_independent, taylor, x_shading,
 };
 use std::fmt;
 use std::str::FromStr;
@@ -65,6 +67,24 @@ catalogue! {
     Phong "phong" "normals blended and normalised per pixel, in single precision (Phong 1975)"
     Hemisphere "hemisphere" "a table of colours by x and y of the normal (Loisel 1996)"
     Quadratic "quadratic" "quadratic interpolation of six colours (Abbas 2003 ch. 7; Hast 2004 §3.3)"
+    QuadraticDots "quadratic-dots" "quadratic interpolation of N·L and N·H, the power per pixel"
+    QuadraticAdaptive "quadratic-adaptive" "quadratic on triangles cut by a safe test until an error of 1 LSB is kept"
+    QuadraticAdaptiveCentre "quadratic-adaptive-centre" "quadratic on triangles cut by a probe at the centre (Abbas 2003 §7.1): it misses"
+    Spherical "spherical" "N·L and N·H as oscillations along a span, true cosine and power (Abbas 2003 §6.2)"
+    SphericalIndependent "spherical-independent" "N, L and H slerped each for itself (Abbas 2003 §6.1)"
+    SphericalCos2 "spherical-cos2" "spherical, cos²(ax) for the highlight, a by eq. 6.12 (Abbas 2003 §6.3)"
+    SphericalCos2Minimax "spherical-cos2-minimax" "spherical, cos²(ax) with the a of least maximal error"
+    SphericalCos2Rom4 "spherical-cos2-rom4" "spherical, cos and cos² from ROMs of 4 address and data bits (Abbas 2003 fig. 6.6)"
+    SphericalCos2Rom6 "spherical-cos2-rom6" "spherical, cos and cos² from ROMs of 6 address and data bits"
+    SphericalCos2Rom8 "spherical-cos2-rom8" "spherical, cos and cos² from ROMs of 8 address and data bits"
+    SphericalCosN "spherical-cosn" "spherical, the material's own cosⁿ in an 8-bit ROM"
+    Blake "blake" "spherical with cosⁿ in three quadratic pieces, five additions a pixel (Blake et al. 1992 eq. 4)"
+    BlakeRefit "blake-refit" "blake with a(n) and b(n) refitted"
+    BlakeTrapezium "blake-trapezium" "blake on trapezia, a triangle being two with a collapsed edge"
+    Slerp "slerp" "slerp of N along a span by differences (Hast 2004 §3.2)"
+    SlerpChebyshev "slerp-chebyshev" "slerp by Chebyshev's recurrence (Hast 2004 eqs 3.38–3.45)"
+    SlerpDeMoivre "slerp-de-moivre" "slerp by De Moivre's, edges slerped too (Hast, Barrera and Bengtsson 2003)"
+    SlerpTrigFree "slerp-trig-free" "slerp set up without trigonometry (Hast 2004 eqs 3.85–3.88)"
 }
 
 impl Method {
@@ -75,9 +95,9 @@ impl Method {
         Some(match self {
             // A bound of its own for every triangle: see `shade::bound`.
             Self::Auto => return None,
-            Self::Exact => 0.0,
             // It depends on the size of the table, not on the normals.
             Self::Hemisphere => return None,
+            Self::Exact => 0.0,
             Self::Flat => flat::bound(case),
             Self::Gouraud => gouraud::bound(case),
             Self::Normals => normals::bound(case),
@@ -97,6 +117,23 @@ impl Method {
             Self::PseudoPhong => pseudo_phong::bound(case),
             Self::Phong => phong::bound(case),
             Self::Quadratic => quadratic::bound(case),
+            Self::QuadraticDots => quadratic_dots::bound(case),
+            Self::QuadraticAdaptive => quadratic_adaptive::bound(case),
+            Self::QuadraticAdaptiveCentre => quadratic_adaptive_centre::bound(case),
+            Self::Spherical => spherical::bound(case),
+            Self::SphericalIndependent => spherical_independent::bound(case),
+            Self::SphericalCos2 => spherical_cos2::bound(case),
+            Self::SphericalCos2Minimax => spherical_cos2::bound_minimax(case),
+            Self::SphericalCos2Rom4 => spherical_cos2::bound_rom(case, 4),
+            Self::SphericalCos2Rom6 => spherical_cos2::bound_rom(case, 6),
+            Self::SphericalCos2Rom8 => spherical_cos2::bound_rom(case, 8),
+            Self::SphericalCosN => spherical_cosn::bound(case),
+            Self::Blake | Self::BlakeTrapezium => blake::bound(case),
+            Self::BlakeRefit => blake::bound_refit(case),
+            Self::Slerp => slerp::bound(case),
+            Self::SlerpChebyshev => slerp::bound_chebyshev(case),
+            Self::SlerpDeMoivre => slerp::bound_de_moivre(case),
+            Self::SlerpTrigFree => slerp::bound_trig_free(case),
         })
     }
 }

@@ -12,6 +12,7 @@
 
 use crate::raster::Point;
 use crate::shade::barycentric::{steps, weights};
+use crate::shade::quadric::Quadric;
 use crate::shade::shader::Run;
 
 /// What a triangle's linear or quadratic colour needs per span.
@@ -19,17 +20,7 @@ use crate::shade::shader::Run;
 pub struct Interpolant {
     position: [Point; 3],
     step: [f64; 3],
-    coefficients: [Coefficients; 3],
-}
-
-#[derive(Clone, Copy, Debug, Default)]
-struct Coefficients {
-    a: f64,
-    b: f64,
-    c: f64,
-    d: f64,
-    e: f64,
-    f: f64,
+    coefficients: [Quadric; 3],
 }
 
 /// The state of one span, three channels.
@@ -60,31 +51,16 @@ impl Interpolant {
     /// Linear, from three knots.
     #[must_use]
     pub fn linear(position: [Point; 3], knots: &[[f64; 3]; 3]) -> Self {
-        Self::of(position, |c| Coefficients {
-            d: knots[1][c] - knots[0][c],
-            e: knots[2][c] - knots[0][c],
-            f: knots[0][c],
-            ..Coefficients::default()
-        })
+        Self::of(position, |c| Quadric::linear(knots.map(|k| k[c])))
     }
 
     /// Quadratic, from six knots (vertices 0, 1, 2, mid-edges 01, 02, 12).
     #[must_use]
     pub fn quadratic(position: [Point; 3], knots: &[[f64; 3]; 6]) -> Self {
-        Self::of(position, |c| {
-            let [i0, i1, i2, i01, i02, i12] = knots.map(|k| k[c]);
-            Coefficients {
-                a: 2.0 * (i0 + i1 - 2.0 * i01),
-                b: 2.0 * (i0 + i2 - 2.0 * i02),
-                c: 4.0 * (i0 + i12 - i01 - i02),
-                d: 4.0 * i01 - 3.0 * i0 - i1,
-                e: 4.0 * i02 - 3.0 * i0 - i2,
-                f: i0,
-            }
-        })
+        Self::of(position, |c| Quadric::quadratic(knots.map(|k| k[c])))
     }
 
-    fn of(position: [Point; 3], channel: impl FnMut(usize) -> Coefficients) -> Self {
+    fn of(position: [Point; 3], channel: impl FnMut(usize) -> Quadric) -> Self {
         Self {
             position,
             step: steps(&position),
@@ -96,14 +72,10 @@ impl Interpolant {
     #[must_use]
     pub fn start(&self, x: i32, y: i32) -> Differences {
         let w = weights(&self.position, x, y);
-        let (u, v, du, dv) = (w[1], w[2], self.step[1], self.step[2]);
         let mut out = Differences::default();
         for (i, k) in self.coefficients.iter().enumerate() {
-            let half = (k.a * du + k.c * dv) * du + k.b * dv * dv;
-            out.r[i] = (k.a * u + k.c * v + k.d) * u + (k.b * v + k.e) * v + k.f;
-            out.dr[i] =
-                (2.0 * k.a * u + k.c * v + k.d) * du + (2.0 * k.b * v + k.c * u + k.e) * dv + half;
-            out.d2r[i] = 2.0 * half;
+            let f = k.start((w[1], w[2]), (self.step[1], self.step[2]));
+            (out.r[i], out.dr[i], out.d2r[i]) = (f.r, f.dr, f.d2r);
         }
         out
     }

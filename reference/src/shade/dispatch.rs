@@ -16,7 +16,11 @@ use super::reflection::Reflection;
 use super::shader::Shader;
 use super::taylor::Taylor;
 use super::x_shading::XShading;
-use super::{exact, flat, gouraud, hemisphere, quadratic};
+use super::{
+    blake, exact, flat, gouraud, hemisphere, quadratic, quadratic_adaptive,
+    quadratic_adaptive_centre, quadratic_dots, slerp, spherical, spherical_cos2, spherical_cosn,
+    spherical_independent,
+};
 use crate::geometry::Prepared;
 use crate::method::Method;
 
@@ -55,5 +59,28 @@ pub fn dispatch<V: Visitor>(p: &Prepared, method: Method, visitor: V) -> Option<
         Method::Phong => visitor.visit(&Phong::new(p)),
         Method::Hemisphere => visitor.visit(&hemisphere::Hemisphere::new(p)),
         Method::Quadratic => visitor.visit(&quadratic::Quadratic::new(p)),
+        Method::QuadraticDots => visitor.visit(&quadratic_dots::QuadraticDots),
+        Method::QuadraticAdaptive => visitor.visit(&quadratic_adaptive::QuadraticAdaptive::new(
+            p,
+            quadratic_adaptive::TOLERANCE,
+        )),
+        Method::QuadraticAdaptiveCentre => {
+            visitor.visit(&quadratic_adaptive_centre::QuadraticAdaptiveCentre)
+        }
+        Method::Spherical => visitor.visit(&spherical::SPHERICAL),
+        Method::SphericalIndependent => visitor.visit(&spherical_independent::SphericalIndependent),
+        Method::SphericalCos2 => visitor.visit(&spherical_cos2::matched(p)),
+        Method::SphericalCos2Minimax => visitor.visit(&spherical_cos2::minimax(p)),
+        Method::SphericalCos2Rom4 => visitor.visit(&spherical_cos2::roms(p, 4)),
+        Method::SphericalCos2Rom6 => visitor.visit(&spherical_cos2::roms(p, 6)),
+        Method::SphericalCos2Rom8 => visitor.visit(&spherical_cos2::roms(p, 8)),
+        Method::SphericalCosN => visitor.visit(&spherical_cosn::new(p)),
+        Method::Blake => visitor.visit(&blake::printed(p)),
+        Method::BlakeRefit => visitor.visit(&blake::refit(p)),
+        Method::BlakeTrapezium => visitor.visit(&blake::trapezium(p)),
+        Method::Slerp => visitor.visit(&slerp::SLERP),
+        Method::SlerpChebyshev => visitor.visit(&slerp::CHEBYSHEV),
+        Method::SlerpDeMoivre => visitor.visit(&slerp::DE_MOIVRE),
+        Method::SlerpTrigFree => visitor.visit(&slerp::TRIG_FREE),
     })
 }

@@ -270,6 +270,7 @@ mod tests {
         };
         let normal = [(0.0, 0.1), (0.5, 0.0), (-0.2, 0.6)];
         let t = ScreenTriangle {
+            uv: [glam::DVec2::ZERO; 3],
             position: [(300, 9_000), (9_000, 8_000), (2_000, 500)].map(|(x, y)| Point { x, y }),
             inv_w: [1.0, 0.4, 2.0],
             depth: [0.5; 3],

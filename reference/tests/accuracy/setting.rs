@@ -115,6 +115,7 @@ impl Setting {
             colour: DVec3::ONE,
         };
         let triangle = ScreenTriangle {
+            uv: [glam::DVec2::ZERO; 3],
             position: self.position,
             inv_w: self.inv_w,
             depth: [0.5; 3],

@@ -141,7 +141,9 @@ fn sweep(settings: &[Setting], methods: &[Method]) -> Vec<Worst> {
 /// What a method is held against where light or viewer are near.
 fn truth(m: Method) -> Truth {
     match m {
-        Method::Exact | Method::Phong => Truth::Positions,
+        Method::Exact | Method::Phong | Method::QuadraticDots | Method::QuadraticAdaptive => {
+            Truth::Positions
+        }
         _ => Truth::Blended,
     }
 }

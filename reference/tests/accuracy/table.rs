@@ -113,11 +113,21 @@ fn the_table_of_the_study_comes_out_again() {
 
 /// Factor either way, and what rounding in print may add, LSB. Which vertex the expansion is about, and how far the
 /// others and the highlight are from it, is not known of the study's triangles: the errors of `taylor-vertex` go with the
-/// third power of that distance.
+/// third power of that distance. Nor how far off the highlights outside the triangles were: cos²(ax) is exact at the
+/// crest, so for n = 5 and small triangles its RMS goes with that. The probe at the centre errs where it misses, in few
+/// triangles by much.
 fn tolerance(section: &str, m: Method) -> (f64, f64) {
     match (section, m) {
         ("max", _) => (2.0, 0.1),
         (_, Method::TaylorVertex) => (1.35, 0.1),
+        (_, Method::QuadraticAdaptiveCentre) => (1.35, 0.1),
+        (
+            "rms",
+            Method::SphericalCos2
+            | Method::SphericalCos2Minimax
+            | Method::SphericalCos2Rom6
+            | Method::SphericalCos2Rom8,
+        ) => (1.2, 0.15),
         ("rms", _) => (1.2, 0.02),
         _ => (1.3, 0.1),
     }
