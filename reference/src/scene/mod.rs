@@ -8,7 +8,7 @@ mod material;
 mod object;
 mod read;
 
-pub use build::load;
+pub use build::{load, parse};
 pub use error::SceneError;
 pub use light::{Attenuation, Falloff, Light, LightKind, SpotWidth};
 pub use material::{Brdf, Highlight, Material};
