@@ -1,6 +1,6 @@
 //! The command line: global options and one variant per command.
 
-use crate::{compare, completions, cosim, gen, list, man, render, synth};
+use crate::{bench, compare, completions, cosim, gen, list, man, render, synth};
 use clap::{Args, Parser, Subcommand};
 
 /// Turns shading interpolators into FPGA hardware and checks every pixel of it.
@@ -50,6 +50,8 @@ pub enum Command {
     Synth(synth::SynthArgs),
     /// Say how far two images are apart (exit code 1 if they differ)
     Compare(compare::CompareArgs),
+    /// Measure run time against error of every method
+    Bench(bench::BenchArgs),
     /// List what there is: methods, cores, devices, boards, scenes, engines
     List(list::ListArgs),
     /// Print a completion script for a shell

@@ -1,6 +1,7 @@
 //! The `shadegate` program: arguments, progress and printing. No algorithm lives here.
 
 mod args;
+mod bench;
 mod compare;
 mod completions;
 mod cosim;

@@ -25,6 +25,18 @@ impl Progress {
         Self(bar)
     }
 
+    /// Says how much is done and what is done now; from here on there is a bar in place of the spinner.
+    pub fn at(&self, done: usize, of: usize, text: &str) {
+        if self.0.length() != Some(of as u64) {
+            self.0.set_length(of as u64);
+            if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}") {
+                self.0.set_style(style);
+            }
+        }
+        self.0.set_position(done as u64);
+        self.0.set_message(text.to_owned());
+    }
+
     /// Says what is done now.
     pub fn say(&self, text: impl Into<String>) {
         self.0.set_message(text.into());

@@ -25,6 +25,7 @@ fn dispatch(cli: &Cli) -> Outcome {
         Command::Gen(a) => crate::gen::run(a, global),
         Command::Synth(a) => crate::synth::run(a, global),
         Command::Compare(a) => crate::compare::run(a, global),
+        Command::Bench(a) => crate::bench::run(a, global),
         Command::List(a) => crate::list::run(a, global),
         Command::Completions(a) => crate::completions::run(a),
         Command::Man(a) => crate::man::run(a, global),

@@ -1,6 +1,7 @@
-//! Engines, co-simulation, comparison, synthesis: is every pixel the expected one, how far is it from the truth, and how many
-//! clocks did it take.
+//! Engines, co-simulation, comparison, synthesis, benchmarks: is every pixel the expected one, how far is it from the
+//! truth, how many clocks did it take, and what does a method cost.
 
+pub mod bench;
 mod cache;
 pub mod compare;
 pub mod cosim;

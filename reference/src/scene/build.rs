@@ -27,7 +27,10 @@ pub fn load(path: &Path) -> Result<Scene, SceneError> {
 }
 
 /// Checks the text of a scene file; mesh files are looked for beside `path`.
-pub(super) fn parse(path: &Path, text: &str) -> Result<Scene, SceneError> {
+///
+/// # Errors
+/// As [`load`].
+pub fn parse(path: &Path, text: &str) -> Result<Scene, SceneError> {
     let doc = Document { file: path, text };
     let root = DeTable::parse(text).map_err(|e| {
         let line = e.span().map_or(1, |s| doc.line(s.start));

@@ -9,7 +9,7 @@ mod object;
 mod read;
 mod surface;
 
-pub use build::load;
+pub use build::{load, parse};
 pub use error::SceneError;
 pub use light::{Attenuation, Falloff, Light, LightKind, SpotWidth};
 pub use material::{Brdf, Highlight, Material};
