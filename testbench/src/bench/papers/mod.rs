@@ -3,6 +3,7 @@
 
 mod abbas;
 mod blake;
+mod hast;
 
 use super::clock::Effort;
 use super::{BenchError, OnStep};
@@ -106,8 +107,9 @@ type Group = fn(Effort) -> Result<Vec<Claim>, BenchError>;
 /// # Errors
 /// When a scene cannot be prepared.
 pub fn papers(effort: Effort, on_step: &mut OnStep<'_>) -> Result<Vec<Claim>, BenchError> {
-    let groups: [(&str, Group); 2] = [
+    let groups: [(&str, Group); 3] = [
         ("Abbas: sphere of 690 triangles", abbas::claims),
+        ("Hast: set-ups, bumps, spotlights", |e| Ok(hast::claims(e))),
         ("Blake: break-even points", |_| Ok(blake::claims())),
     ];
     let mut claims = Vec::new();
