@@ -33,11 +33,17 @@ fn every_width_of_registers_draws_the_same_bytes() {
 fn many_pixels_at_a_time_are_as_one_by_one() {
     for name in SCENES {
         let p = prepare(name, None);
-        for m in [Method::Flat, Method::Gouraud, Method::Quadratic] {
+        for m in [
+            Method::Flat,
+            Method::Gouraud,
+            Method::Quadratic,
+            Method::QuadraticDots,
+            Method::Phong,
+        ] {
             let (many, a) = render(&p, m, &with(Vectors::Widest));
             let (single, b) = render(&p, m, &with(Vectors::None));
             let (max, _) = difference(&many, &single);
-            // Fixed point is within 0.002 LSB, which may turn a rounding.
+            // Fixed point is within 0.005 LSB and f32 within 0.02, which may turn a rounding.
             assert!(max <= 1, "{name} {m}: {max}");
             assert!(a.pixels_tested <= b.pixels_tested, "{name} {m}");
             assert_eq!(a.pixels_written, b.pixels_written, "{name} {m}");

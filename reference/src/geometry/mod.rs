@@ -128,6 +128,13 @@ impl Prepared {
                 .any(|t| s.material(t.material).texture.is_some())
     }
 
+    /// Whether the material of any drawn triangle has a bump map.
+    #[must_use]
+    pub fn has_bumps(&self) -> bool {
+        let bumpy = |t: &ScreenTriangle| self.surroundings.material(t.material).bump.is_some();
+        self.triangles.iter().any(bumpy)
+    }
+
     /// Lights, materials and viewer.
     #[must_use]
     pub fn surroundings(&self) -> &Surroundings {

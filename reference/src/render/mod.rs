@@ -8,12 +8,13 @@ mod scalar;
 
 pub use frame::{Frame, FrameError};
 
+use crate::bump::Bumped;
 use crate::geometry::Prepared;
 use crate::line::wireframe;
 use crate::method::Method;
 use crate::parallel;
 use crate::shade::dispatch::{dispatch, Visitor};
-use crate::shade::paint::Paint;
+use crate::shade::paint::{is_plain, Dots, Paint, Phong};
 use crate::shade::shader::Shader;
 use crate::shade::{auto, flat, shared};
 use crate::skips::{self, Skips};
@@ -107,8 +108,20 @@ fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats)
                 let knots = shared::Six::new(p);
                 return vectors(p, o, start, |i| Paint::Quadratic(knots.of(i)));
             }
+            Method::QuadraticDots if all_plain(p) => {
+                let paint = |i| Dots::new(p, i).map_or(Paint::Exact, Paint::Dots);
+                return vectors(p, o, start, paint);
+            }
+            Method::Phong if !p.has_bumps() => {
+                let paint =
+                    |i: usize| Phong::new(p, &p.triangles[i]).map_or(Paint::Exact, Paint::Phong);
+                return vectors(p, o, start, paint);
+            }
             _ => {}
         }
+    }
+    if method == Method::Phong && p.has_bumps() {
+        return scalar(p, &Bumped, o, start);
     }
     if let Some(drawn) = dispatch(p, method, Draw { p, o, start }) {
         return drawn;
@@ -123,6 +136,11 @@ fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats)
         stats.skipped.insert(name, count);
     }
     (frame, stats)
+}
+
+/// Whether every triangle is of the kinds that [`Dots`] and [`Phong`] draw.
+fn all_plain(p: &Prepared) -> bool {
+    p.triangles.iter().all(|t| is_plain(p, t))
 }
 
 /// Draws with any shader.
