@@ -5,7 +5,9 @@
 //! (blended with positive weights, on the screen or in perspective), L of the Lⱼ (P − x = Σ qⱼ(P − xⱼ), and P − xⱼ is Lⱼ
 //! times a length), V of the Vⱼ likewise. So for two such vectors u = Σaᵢuᵢ/|Σaᵢuᵢ| and v = Σbⱼvⱼ/|Σbⱼvⱼ|
 //!
-//!     u·v = Σᵢⱼ aᵢbⱼ(uᵢ·vⱼ) / (|Σaᵢuᵢ|·|Σbⱼvⱼ|).
+//! ```text
+//! u·v = Σᵢⱼ aᵢbⱼ(uᵢ·vⱼ) / (|Σaᵢuᵢ|·|Σbⱼvⱼ|).
+//! ```
 //!
 //! *No diffuse light* (S1): when all uᵢ·vⱼ ≤ 0 so is u·v; with u = N, v = L this is exact, for lights near and far.
 //!

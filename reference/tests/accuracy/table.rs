@@ -121,6 +121,8 @@ fn tolerance(section: &str, m: Method) -> (f64, f64) {
         ("max", _) => (2.0, 0.1),
         (_, Method::TaylorVertex) => (1.35, 0.1),
         (_, Method::QuadraticAdaptiveCentre) => (1.35, 0.1),
+        // At 45° few triangles make up most of the error; ours have less of it than the study's.
+        (_, Method::Slerp) => (1.5, 0.1),
         (
             "rms",
             Method::SphericalCos2

@@ -1,10 +1,12 @@
 //! The specular term of Cook and Torrance (1982): a surface of small mirrors whose slopes are distributed as
 //! Beckmann's, with the shadow that they cast on each other and Fresnel's reflectance.
 //!
-//!     π·F·D·G/(4·N·V)            for light whose diffuse part is kd·N·L
-//!     D = exp(−tan²δ/m²)/(π·m²·cos⁴δ),  cos δ = N·H
-//!     G = min(1, 2(N·H)(N·V)/(V·H), 2(N·H)(N·L)/(V·H))
-//!     F = f₀ + (1 − f₀)(1 − V·H)⁵                                    (Schlick 1994 for Fresnel's equations)
+//! ```text
+//! π·F·D·G/(4·N·V)            for light whose diffuse part is kd·N·L
+//! D = exp(−tan²δ/m²)/(π·m²·cos⁴δ),  cos δ = N·H
+//! G = min(1, 2(N·H)(N·V)/(V·H), 2(N·H)(N·L)/(V·H))
+//! F = f₀ + (1 − f₀)(1 − V·H)⁵                                    (Schlick 1994 for Fresnel's equations)
+//! ```
 //!
 //! The reflectance F·D·G/(4(N·L)(N·V)) is multiplied by N·L as any reflectance is, which cancels one cosine, and by π
 //! because a diffuse reflectance kd/π is written as kd here. D is normalised, ∫ D·cos δ dω = 1, and with the 4 no more
