@@ -10,10 +10,10 @@ fn the_json_of_a_frame_has_the_documented_keys() {
     let f = Folder::new();
     let r = f.json("render ball.toml", 0);
     let documented = [
-        "filter",
-        "frame",
         "antialias",
         "edges",
+        "filter",
+        "frame",
         "height",
         "method",
         "output",
