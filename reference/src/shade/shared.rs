@@ -6,30 +6,51 @@ use crate::geometry::{Prepared, ScreenTriangle, UNSHARED};
 use crate::parallel;
 use crate::shade::quadratic::EDGES;
 use crate::shade::{gouraud, quadratic};
-use std::collections::HashMap;
-use std::hash::{BuildHasherDefault, Hasher};
 
 /// Where a shared knot is first met: triangle, and corner or edge.
 type Place = (usize, usize);
 
-/// A multiplicative hash of a pair of vertex numbers; the keys are small, trusted integers.
-#[derive(Default)]
-struct Pair(u64);
+/// Slots by pairs of vertex numbers: for each lower number a chain of the higher ones, of which a mesh has about three.
+struct Pairs {
+    first: Vec<u32>,
+    chain: Vec<Link>,
+}
 
-impl Hasher for Pair {
-    fn write(&mut self, bytes: &[u8]) {
-        for b in bytes {
-            self.write_u64(u64::from(*b));
+struct Link {
+    higher: u32,
+    slot: u32,
+    next: u32,
+}
+
+/// The end of a chain.
+const NONE: u32 = u32::MAX;
+
+impl Pairs {
+    /// For vertex numbers below `vertices`.
+    fn new(vertices: usize) -> Self {
+        Self {
+            first: vec![NONE; vertices],
+            chain: Vec::with_capacity(vertices),
         }
     }
 
-    fn write_u64(&mut self, v: u64) {
-        self.0 = (self.0 ^ v).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-        self.0 ^= self.0 >> 32;
-    }
-
-    fn finish(&self) -> u64 {
-        self.0
+    /// The slot of a pair; `new` if it has none yet.
+    fn slot(&mut self, (lower, higher): (u32, u32), new: u32) -> u32 {
+        let head = self.first[lower as usize];
+        let mut at = head;
+        while let Some(link) = self.chain.get(at as usize) {
+            if link.higher == higher {
+                return link.slot;
+            }
+            at = link.next;
+        }
+        self.first[lower as usize] = self.chain.len() as u32;
+        self.chain.push(Link {
+            higher,
+            slot: new,
+            next: head,
+        });
+        new
     }
 }
 
@@ -58,13 +79,13 @@ fn same_edge(a: &ScreenTriangle, k: usize, b: &ScreenTriangle, m: usize) -> bool
 fn table(
     p: &Prepared,
     wanted: impl Fn(usize) -> bool,
-    key: impl Fn(usize, usize) -> Option<u64>,
+    key: impl Fn(usize, usize) -> Option<(u32, u32)>,
     same: impl Fn(Place, Place) -> bool,
     shade: impl Fn(Place) -> [f64; 3] + Sync + Send,
 ) -> Table {
     let mut places: Vec<Place> = Vec::new();
-    let mut seen: HashMap<u64, u32, BuildHasherDefault<Pair>> =
-        HashMap::with_capacity_and_hasher(2 * p.triangles.len(), BuildHasherDefault::default());
+    let numbers = p.vertices.iter().flatten().filter(|n| **n != UNSHARED);
+    let mut seen = Pairs::new(numbers.max().map_or(0, |n| *n as usize + 1));
     let mut slots = Vec::with_capacity(p.triangles.len());
     for t in 0..p.triangles.len() {
         if !wanted(t) {
@@ -74,7 +95,7 @@ fn table(
         slots.push([0, 1, 2].map(|i| {
             let new = places.len() as u32;
             if let Some(key) = key(t, i) {
-                let slot = *seen.entry(key).or_insert(new);
+                let slot = seen.slot(key, new);
                 if slot != new && same((t, i), places[slot as usize]) {
                     return slot;
                 }
@@ -100,7 +121,7 @@ pub(crate) fn vertices(p: &Prepared) -> Table {
     table(
         p,
         |_| true,
-        |t, i| number(t, i).map(u64::from),
+        |t, i| number(t, i).map(|n| (n, n)),
         |(t, i), (u, j)| same_vertex(&p.triangles[t], i, &p.triangles[u], j),
         |(t, i)| gouraud::vertex(p, &p.triangles[t], i),
     )
@@ -148,7 +169,7 @@ pub(crate) fn edges(p: &Prepared, wanted: impl Fn(usize) -> bool) -> Table {
         wanted,
         |t, k| {
             let (a, b) = (number(t, EDGES[k].0)?, number(t, EDGES[k].1)?);
-            Some(u64::from(a.min(b)) << 32 | u64::from(a.max(b)))
+            Some((a.min(b), a.max(b)))
         },
         |(t, k), (u, m)| same_edge(&p.triangles[t], k, &p.triangles[u], m),
         |(t, k)| quadratic::middle(p, &p.triangles[t], k),

@@ -220,6 +220,7 @@ impl<'a> Band<'a> {
             return;
         };
         let k = lanes(simd);
+        let (mut tested, mut written) = (0u64, 0u32);
         for span in walk.spans_within(self.viewport.width, self.first, self.first + self.rows) {
             let row = (span.y - self.first) as usize * self.stride;
             let mut x = span.start;
@@ -233,7 +234,6 @@ impl<'a> Band<'a> {
                 let (full, rest) = (from + length / 8 * 8, length as i32 % 8);
                 let mut depths = &mut self.memory.depth[from..full];
                 let mut colours = &mut self.memory.colour[from..full];
-                let mut written = 0;
                 while let (Some((d, more_d)), Some((c, more_c))) = (
                     depths.split_first_chunk_mut::<8>(),
                     colours.split_first_chunk_mut::<8>(),
@@ -249,11 +249,12 @@ impl<'a> Band<'a> {
                     let c = &mut self.memory.colour[full..full + 8];
                     written += block(simd, d, c, Some(mask), z, kernel, &run, self.skip_hidden);
                 }
-                self.tally.tested += length as u64;
-                self.tally.written += u64::from(written);
+                tested += length as u64;
                 x = end;
             }
         }
+        self.tally.tested += tested;
+        self.tally.written += u64::from(written);
     }
 }
 

@@ -7,7 +7,7 @@
 //! by 64 pixels, are stepped downwards in the same way, with a mixed difference: < ½·(1 + 2·(63 + 63·62/2) + 15·63)·2⁻¹⁹
 //! < 0.005 LSB. Sums wrap; a value that is in range comes out right whatever its registers did in between.
 
-use fearless_simd::{i32x8, prelude::*, u32x8, Simd};
+use fearless_simd::{f64x4, i32x8, prelude::*, u32x8, Simd};
 
 /// Pixels from one start to the next at most.
 pub(super) const RUN: i32 = 64;
@@ -19,8 +19,7 @@ pub(super) const ONE: f64 = (1u32 << FRACTION) as f64;
 /// The word of a scaled number: rounded to nearest, modulo 2³². Exact for numbers below 2⁵¹.
 #[inline(always)]
 pub(super) fn word(scaled: f64) -> i32 {
-    // Adding 1.5·2⁵² leaves the integer in the low bits of the significand.
-    (scaled + 6_755_399_441_055_744.0).to_bits() as u32 as i32
+    (scaled + ROUND).to_bits() as u32 as i32
 }
 
 /// An array of three, written out: functions that take closures are compiled without the vector instructions.
@@ -42,6 +41,31 @@ macro_rules! three {
     }};
 }
 pub(super) use three;
+
+/// Three channels in real numbers; the fourth lane is not used.
+pub(super) type Real<S> = f64x4<S>;
+
+/// The same number for each channel.
+#[inline(always)]
+pub(super) fn all<S: Simd>(simd: S, v: f64) -> Real<S> {
+    f64x4::splat(simd, v)
+}
+
+/// Three channels.
+#[inline(always)]
+pub(super) fn real<S: Simd>(simd: S, v: [f64; 3]) -> Real<S> {
+    f64x4::simd_from(simd, [v[0], v[1], v[2], 0.0])
+}
+
+/// The [`word`] of every channel.
+#[inline(always)]
+pub(super) fn words<S: Simd>(simd: S, scaled: Real<S>) -> [i32; 3] {
+    let sum = (scaled + all(simd, ROUND)).to_array();
+    three!(c => sum[c].to_bits() as u32 as i32)
+}
+
+/// 1.5·2⁵²: added to a number it leaves the integer in the low bits of the significand.
+const ROUND: f64 = 6_755_399_441_055_744.0;
 
 /// 0, 1, … 7.
 #[inline(always)]

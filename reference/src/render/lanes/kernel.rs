@@ -1,6 +1,6 @@
 //! How eight pixels of a triangle get their colour: constant, linear and quadratic.
 
-use super::fixed::{lanes, three, word, Channels, ONE};
+use super::fixed::{lanes, real, three, words, Channels, Real, ONE};
 use super::patch::Patch;
 use fearless_simd::{i32x8, prelude::*, u32x8, Simd};
 
@@ -76,9 +76,9 @@ impl<S: Simd> Kernel<S> for Constant<S> {
 
 /// Linear in three channels; `CLAMP` when values may leave 0..=255.
 pub(super) struct Linear<S: Simd, const CLAMP: bool> {
-    d: [f64; 3],
-    e: [f64; 3],
-    f: [f64; 3],
+    d: Real<S>,
+    e: Real<S>,
+    f: Real<S>,
     ramp: [i32x8<S>; 3],
     step: [i32x8<S>; 3],
     down: [i32x8<S>; 3],
@@ -87,17 +87,19 @@ pub(super) struct Linear<S: Simd, const CLAMP: bool> {
 impl<S: Simd, const CLAMP: bool> Linear<S, CLAMP> {
     #[inline(always)]
     pub(super) fn new(simd: S, patch: &Patch, knots: &[[f64; 3]; 3]) -> Self {
-        let d = three!(c => (knots[1][c] - knots[0][c]) * ONE);
-        let e = three!(c => (knots[2][c] - knots[0][c]) * ONE);
-        let step = three!(c => word(d[c] * patch.dx[0] + e[c] * patch.dx[1]));
-        let k = lanes(simd);
+        let k = three!(i => real(simd, knots[i]) * ONE);
+        let (d, e) = (k[1] - k[0], k[2] - k[0]);
+        let along = |to: [f64; 2]| d * to[0] + e * to[1];
+        let step = words(simd, along(patch.dx));
+        let down = words(simd, along(patch.dy));
+        let lane = lanes(simd);
         Self {
             d,
             e,
-            f: three!(c => (knots[0][c] + 0.5) * ONE),
-            ramp: three!(c => k * step[c]),
+            f: k[0] + 0.5 * ONE,
+            ramp: three!(c => lane * step[c]),
             step: three!(c => i32x8::splat(simd, step[c].wrapping_mul(8))),
-            down: three!(c => i32x8::splat(simd, word(d[c] * patch.dy[0] + e[c] * patch.dy[1]))),
+            down: three!(c => i32x8::splat(simd, down[c])),
         }
     }
 }
@@ -107,7 +109,7 @@ impl<S: Simd, const CLAMP: bool> Kernel<S> for Linear<S, CLAMP> {
 
     #[inline(always)]
     fn start(&self, simd: S, [u, v]: [f64; 2], _: [i32; 2]) -> Channels<S> {
-        let at = three!(c => word(self.d[c] * u + self.e[c] * v + self.f[c]));
+        let at = words(simd, self.d * u + self.e * v + self.f);
         Channels::linear(simd, at, &self.ramp, &self.step)
     }
 
@@ -141,16 +143,15 @@ impl<S: Simd, const CLAMP: bool> Kernel<S> for Linear<S, CLAMP> {
 
 /// Quadratic in three channels.
 pub(super) struct Quadratic<S: Simd, const CLAMP: bool> {
-    coefficients: [[f64; 3]; 6],
-    du: f64,
-    dv: f64,
-    /// Half the second difference.
-    half: [f64; 3],
+    /// a, b, m, d, e, f of a·u² + b·v² + m·uv + d·u + e·v + f.
+    coefficients: [Real<S>; 6],
+    dx: [f64; 2],
+    dy: [f64; 2],
+    /// Half the second difference across and down.
+    half: Real<S>,
+    half_down: Real<S>,
     second: [i32; 3],
     s64: [i32x8<S>; 3],
-    /// Half the second difference downwards, and the mixed one.
-    half_down: [f64; 3],
-    dy: [f64; 2],
     mixed: [i32; 3],
     mixed8: [i32x8<S>; 3],
     second_down: [i32x8<S>; 3],
@@ -160,39 +161,41 @@ impl<S: Simd, const CLAMP: bool> Quadratic<S, CLAMP> {
     /// From knots at vertices 0, 1, 2 and mid-edges 01, 02, 12 (coefficients as in [`crate::shade::differences`]).
     #[inline(always)]
     pub(super) fn new(simd: S, patch: &Patch, knots: &[[f64; 3]; 6]) -> Self {
+        let [i0, i1, i2] = three!(i => real(simd, knots[i]) * ONE);
+        let [i01, i02, i12] = three!(i => real(simd, knots[3 + i]) * ONE);
         let ([du, dv], [eu, ev]) = (patch.dx, patch.dy);
-        let mut coefficients = [[0.0; 3]; 6];
-        let (mut half, mut half_down, mut mixed) = ([0.0; 3], [0.0; 3], [0; 3]);
-        for c in 0..3 {
-            let k = |i: usize| knots[i][c] * ONE;
-            let (i0, i1, i2) = (k(0), k(1), k(2));
-            let (i01, i02, i12) = (k(3), k(4), k(5));
-            let a = 2.0 * (i0 + i1 - 2.0 * i01);
-            let b = 2.0 * (i0 + i2 - 2.0 * i02);
-            let m = 4.0 * (i0 + i12 - i01 - i02);
-            let d = 4.0 * i01 - 3.0 * i0 - i1;
-            let e = 4.0 * i02 - 3.0 * i0 - i2;
-            for (k, value) in [a, b, m, d, e, i0 + 0.5 * ONE].into_iter().enumerate() {
-                coefficients[k][c] = value;
-            }
-            half[c] = (a * du + m * dv) * du + b * dv * dv;
-            half_down[c] = (a * eu + m * ev) * eu + b * ev * ev;
-            mixed[c] = word(2.0 * (a * du * eu + b * dv * ev) + m * (du * ev + dv * eu));
-        }
-        let second = three!(c => word(2.0 * half[c]));
+        let a = (i0 + i1 - i01 * 2.0) * 2.0;
+        let b = (i0 + i2 - i02 * 2.0) * 2.0;
+        let m = (i0 + i12 - i01 - i02) * 4.0;
+        let d = i01 * 4.0 - i0 * 3.0 - i1;
+        let e = i02 * 4.0 - i0 * 3.0 - i2;
+        let half = a * (du * du) + m * (du * dv) + b * (dv * dv);
+        let half_down = a * (eu * eu) + m * (eu * ev) + b * (ev * ev);
+        let both = a * (2.0 * du * eu) + b * (2.0 * dv * ev) + m * (du * ev + dv * eu);
+        let second = words(simd, half * 2.0);
+        let down = words(simd, half_down * 2.0);
+        let mixed = words(simd, both);
         Self {
-            coefficients,
-            du,
-            dv,
-            half,
-            second,
-            half_down,
+            coefficients: [a, b, m, d, e, i0 + 0.5 * ONE],
+            dx: patch.dx,
             dy: patch.dy,
+            half,
+            half_down,
+            second,
+            s64: three!(c => i32x8::splat(simd, second[c].wrapping_mul(64))),
             mixed,
             mixed8: three!(c => i32x8::splat(simd, mixed[c].wrapping_mul(8))),
-            second_down: three!(c => i32x8::splat(simd, word(2.0 * half_down[c]))),
-            s64: three!(c => i32x8::splat(simd, second[c].wrapping_mul(64))),
+            second_down: three!(c => i32x8::splat(simd, down[c])),
         }
+    }
+
+    /// The value at u, v and the first differences in two directions.
+    #[inline(always)]
+    fn at(&self, [u, v]: [f64; 2]) -> (Real<S>, Real<S>, Real<S>) {
+        let [a, b, m, d, e, f] = self.coefficients;
+        let (au, bv) = (a * u, b * v);
+        let (pu, pv) = (au + m * v + d, bv + e);
+        (pu * u + pv * v + f, pu + au, pv + bv + m * u)
     }
 }
 
@@ -202,16 +205,13 @@ impl<S: Simd, const CLAMP: bool> Kernel<S> for Quadratic<S, CLAMP> {
 
     #[inline(always)]
     fn first_row(&self, simd: S, patch: &Patch, at: [i32; 2]) -> Self::Row {
-        let [u, v] = patch.at(at[0], at[1]);
-        let [a, b, m, d, e, _] = &self.coefficients;
+        let uv = patch.at(at[0], at[1]);
+        let (_, along_u, along_v) = self.at(uv);
+        let first = along_u * self.dy[0] + along_v * self.dy[1] + self.half_down;
+        let first = words(simd, first);
         let k = lanes(simd);
-        let down = three!(c => {
-            let alongu = 2.0 * a[c] * u + m[c] * v + d[c];
-            let alongv = 2.0 * b[c] * v + m[c] * u + e[c];
-            let first = word(alongu * self.dy[0] + alongv * self.dy[1] + self.half_down[c]);
-            i32x8::splat(simd, first) + k * self.mixed[c]
-        });
-        (self.start(simd, [u, v], at), down)
+        let down = three!(c => i32x8::splat(simd, first[c]) + k * self.mixed[c]);
+        (self.start(simd, uv, at), down)
     }
 
     #[inline(always)]
@@ -226,18 +226,10 @@ impl<S: Simd, const CLAMP: bool> Kernel<S> for Quadratic<S, CLAMP> {
     }
 
     #[inline(always)]
-    fn start(&self, simd: S, [u, v]: [f64; 2], _: [i32; 2]) -> Channels<S> {
-        let [a, b, m, d, e, f] = &self.coefficients;
-        let (mut value, mut first) = ([0; 3], [0; 3]);
-        for c in 0..3 {
-            let (pu, pv) = (a[c] * u + d[c], b[c] * v + e[c]);
-            let cross = m[c] * v;
-            value[c] = word((pu + cross) * u + pv * v + f[c]);
-            let alongu = pu + a[c] * u + cross;
-            let alongv = pv + b[c] * v + m[c] * u;
-            first[c] = word(alongu * self.du + alongv * self.dv + self.half[c]);
-        }
-        Channels::quadratic(simd, value, first, self.second)
+    fn start(&self, simd: S, uv: [f64; 2], _: [i32; 2]) -> Channels<S> {
+        let (value, along_u, along_v) = self.at(uv);
+        let first = along_u * self.dx[0] + along_v * self.dx[1] + self.half;
+        Channels::quadratic(simd, words(simd, value), words(simd, first), self.second)
     }
 
     #[inline(always)]
