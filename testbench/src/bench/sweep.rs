@@ -234,12 +234,16 @@ mod tests {
             assert!(r.drawn > 0 && r.drawn < 168 && r.pixels > 1000, "{r:?}");
             assert!(r.ns_per_frame > 0.0 && r.ns_setup <= r.ns_per_frame_scalar && r.rounds >= 3);
             if r.method == Method::Exact.name() {
-                assert!(r.max_lsb == 0 && r.psnr_db.is_none() && r.front_rms && r.front_max);
+                assert!(r.max_lsb == 0 && r.psnr_db.is_none(), "{r:?}");
             }
             if r.method == Method::Flat.name() {
                 assert!(r.max_lsb > 20 && r.flip_mean > 0.0, "{r:?}");
             }
         }
         assert!(rows.iter().any(|r| r.method != "exact" && r.front_rms));
+        // Whoever has no error and is fastest is on both fronts: `exact`, or a method that is as good.
+        assert!(rows
+            .iter()
+            .any(|r| r.max_lsb == 0 && r.front_rms && r.front_max));
     }
 }
