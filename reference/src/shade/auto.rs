@@ -2,10 +2,10 @@
 //! Phong's vectors per pixel, the first whose proved bound ([`super::bound`]) is small enough.
 
 use super::bound::{Bounds, Tables};
-use super::paint::{Dots, Paint, Phong};
+use super::paint::{is_plain, Dots, Paint, Phong};
 use super::shared::{self, Table};
 use super::KNOT_MAX;
-use crate::geometry::Prepared;
+use crate::geometry::{Prepared, ScreenTriangle};
 use crate::parallel;
 use crate::skips::{self, Skips};
 use glam::DVec3;
@@ -54,8 +54,12 @@ impl<'a> Auto<'a> {
         let tables = Tables::new(p);
         let vertices = shared::vertices(p);
         let plan = parallel::map(p.triangles.len(), |i| {
-            let bounds = tables.bounds(p, &p.triangles[i]);
-            choose(p, i, &bounds, &vertices.of(i), error, skips)
+            let t = &p.triangles[i];
+            if is_plain(p, t) {
+                choose(p, t, &tables.bounds(p, t), &vertices.of(i), error, skips)
+            } else {
+                Plan::whole(Choice::Exact)
+            }
         });
         let edges = shared::edges(p, |i| plan[i].choice == Choice::Quadratic);
         Self {
@@ -126,6 +130,15 @@ impl<'a> Auto<'a> {
 }
 
 impl Plan {
+    /// A way to draw with all there is.
+    fn whole(choice: Choice) -> Self {
+        Self {
+            choice,
+            specular: true,
+            diffuse: true,
+        }
+    }
+
     fn thin(self, diffuse: &mut DVec3, specular: &mut DVec3) {
         if !self.diffuse {
             *diffuse = DVec3::ZERO;
@@ -140,40 +153,32 @@ fn mean(knots: &[[f64; 3]; 3]) -> [f64; 3] {
     [0, 1, 2].map(|c| (knots[0][c] + knots[1][c] + knots[2][c]) / 3.0)
 }
 
+/// The cheapest way for a triangle of the kinds that every way draws.
 fn choose(
     p: &Prepared,
-    i: usize,
+    t: &ScreenTriangle,
     bounds: &Bounds,
     knots: &[[f64; 3]; 3],
     error: f64,
     skips: &Skips,
 ) -> Plan {
     let room = error - ARITHMETIC;
-    let plan = |choice| Plan {
-        choice,
-        specular: true,
-        diffuse: true,
-    };
     // Knots that saturate are not where the polynomial wants them.
     let free = knots.iter().flatten().all(|k| *k < KNOT_MAX);
-    if !super::paint::is_plain(p, &p.triangles[i]) {
-        return plan(Choice::Exact);
-    }
     if free {
         let m = mean(knots);
         let apart = |k: &[f64; 3]| (0..3).fold(0.0f64, |a, c| a.max((k[c] - m[c]).abs()));
         let spread = knots.iter().map(apart).fold(0.0, f64::max);
         if bounds.linear + spread <= room && skips.is_on(skips::FLAT_ENOUGH) {
-            return plan(Choice::Constant);
+            return Plan::whole(Choice::Constant);
         }
         if bounds.linear <= room && skips.is_on(skips::LINEAR_ENOUGH) {
-            return plan(Choice::Linear);
+            return Plan::whole(Choice::Linear);
         }
         if bounds.quadratic <= room && skips.is_on(skips::QUADRATIC_ENOUGH) {
-            return plan(Choice::Quadratic);
+            return Plan::whole(Choice::Quadratic);
         }
     }
-    let t = &p.triangles[i];
     let m = p.surroundings.material(t.material);
     let mut choice = Choice::Phong;
     let mut left = room;
@@ -183,7 +188,7 @@ fn choose(
     } else if let Some(phong) = Phong::new(p, t) {
         let arithmetic = phong.arithmetic();
         if arithmetic > error {
-            return plan(Choice::Exact);
+            return Plan::whole(Choice::Exact);
         }
         left = error - arithmetic;
     }

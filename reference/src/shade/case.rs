@@ -129,6 +129,17 @@ impl Case {
         let turn = angle.clamp(0.0, std::f64::consts::FRAC_PI_2).sin();
         self.terms((length + turn).min(1.0), (power + turned).min(1.0))
     }
+
+    /// [`Case::replaced`] by a vector whose length (least, greatest) and angle to the normal follow from the spread, for
+    /// a far light and viewer and a spread up to 90°; the whole range otherwise.
+    #[must_use]
+    pub fn replaced_when_acute(&self, deviation: impl FnOnce(f64) -> ([f64; 2], f64)) -> f64 {
+        if !self.is_far_and_acute() {
+            return self.whole();
+        }
+        let (length, angle) = deviation(self.spread);
+        self.replaced(length, angle)
+    }
 }
 
 #[cfg(test)]

@@ -94,11 +94,7 @@ pub fn deviation(s: f64) -> ([f64; 2], f64) {
 /// the figures of [`deviation`], which are measured.
 #[must_use]
 pub fn bound(case: &Case) -> f64 {
-    if !case.is_far_and_acute() {
-        return case.whole();
-    }
-    let (length, angle) = deviation(case.spread);
-    case.replaced(length, angle)
+    case.replaced_when_acute(deviation)
 }
 
 #[cfg(test)]

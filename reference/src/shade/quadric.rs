@@ -66,12 +66,14 @@ impl Quadric {
 
     /// The value at weights u, v.
     #[must_use]
+    #[inline]
     pub fn value(&self, u: f64, v: f64) -> f64 {
         (self.a * u + self.c * v + self.d) * u + (self.b * v + self.e) * v + self.f
     }
 
     /// Value and differences at weights u, v of a pixel whose right neighbour has u + `du`, v + `dv`.
     #[must_use]
+    #[inline]
     pub fn start(&self, (u, v): (f64, f64), (du, dv): (f64, f64)) -> Forward {
         let half = (self.a * du + self.c * dv) * du + self.b * dv * dv;
         Forward {

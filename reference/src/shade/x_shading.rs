@@ -86,11 +86,7 @@ impl XShading {
     }
 
     fn bound(self, case: &Case) -> f64 {
-        if !case.is_far_and_acute() {
-            return case.whole();
-        }
-        let (length, angle) = self.deviation(case.spread);
-        case.replaced(length, angle)
+        case.replaced_when_acute(|s| self.deviation(s))
     }
 }
 

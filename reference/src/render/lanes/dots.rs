@@ -6,6 +6,7 @@ use super::kernel::{rows_anew, Kernel};
 use super::patch::Patch;
 use super::real::{pixels, power, ramp, splat, Vector};
 use super::{Dots, DotsTerm};
+use crate::shade::quadric::{Forward, Quadric};
 use fearless_simd::{f32x8, prelude::*, u32x8, Simd};
 
 /// One product along a row.
@@ -18,14 +19,10 @@ struct Product<S: Simd> {
 
 impl<S: Simd> Product<S> {
     #[inline(always)]
-    fn start(simd: S, k: &[f64; 6], [u, v]: [f64; 2], [du, dv]: [f64; 2]) -> Self {
-        let [a, b, m, d, e, f] = *k;
-        let half = (a * du + m * dv) * du + b * dv * dv;
-        let value = (a * u + m * v + d) * u + (b * v + e) * v + f;
-        let first = (2.0 * a * u + m * v + d) * du + (2.0 * b * v + m * u + e) * dv + half;
-        let second = 2.0 * half;
+    fn start(simd: S, q: &Quadric, [u, v]: [f64; 2], [du, dv]: [f64; 2]) -> Self {
+        let Forward { r: value, dr, d2r } = q.start((u, v), (du, dv));
         let r = ramp(simd);
-        let (d1, d2) = (splat(simd, first), splat(simd, second));
+        let (d1, d2) = (splat(simd, dr), splat(simd, d2r));
         let pairs = f32x8::simd_from(simd, [0.0, 0.0, 1.0, 3.0, 6.0, 10.0, 15.0, 21.0]);
         let block = f32x8::simd_from(simd, [28.0, 36.0, 44.0, 52.0, 60.0, 68.0, 76.0, 84.0]);
         Self {
@@ -42,20 +39,6 @@ impl<S: Simd> Product<S> {
     }
 }
 
-/// Coefficients of a quadratic in u and v through six knots.
-#[inline(always)]
-fn coefficients(k: &[f64; 6]) -> [f64; 6] {
-    let [i0, i1, i2, i01, i02, i12] = *k;
-    [
-        2.0 * (i0 + i1 - 2.0 * i01),
-        2.0 * (i0 + i2 - 2.0 * i02),
-        4.0 * (i0 + i12 - i01 - i02),
-        4.0 * i01 - 3.0 * i0 - i1,
-        4.0 * i02 - 3.0 * i0 - i2,
-        i0,
-    ]
-}
-
 /// Up to `N` lights.
 pub(super) struct DotsKernel<S: Simd, const N: usize> {
     terms: [Term<S>; N],
@@ -66,8 +49,8 @@ pub(super) struct DotsKernel<S: Simd, const N: usize> {
 
 #[derive(Clone, Copy)]
 struct Term<S: Simd> {
-    light: [f64; 6],
-    half: [f64; 6],
+    light: Quadric,
+    half: Quadric,
     diffuse: Vector<S>,
     specular: Vector<S>,
     lit: bool,
@@ -82,8 +65,8 @@ impl<S: Simd, const N: usize> DotsKernel<S, N> {
     pub(super) fn new(simd: S, patch: &Patch, d: &Dots) -> Self {
         let zero = [splat(simd, 0.0); 3];
         let mut terms = [Term {
-            light: [0.0; 6],
-            half: [0.0; 6],
+            light: Quadric::default(),
+            half: Quadric::default(),
             diffuse: zero,
             specular: zero,
             lit: false,
@@ -92,8 +75,8 @@ impl<S: Simd, const N: usize> DotsKernel<S, N> {
         for (to, from) in terms.iter_mut().zip(&d.terms) {
             let DotsTerm { light, half, .. } = from;
             *to = Term {
-                light: coefficients(light),
-                half: coefficients(half),
+                light: Quadric::quadratic(*light),
+                half: Quadric::quadratic(*half),
                 diffuse: super::real::vector(simd, from.diffuse),
                 specular: super::real::vector(simd, from.specular),
                 lit: from.diffuse != glam::DVec3::ZERO,

@@ -58,7 +58,7 @@ impl Curve for Cos2 {
     }
 }
 
-/// a(n) of eq. 6.12, for n from [`LEAST_EXPONENT`].
+/// a(n) of eq. 6.12, for n from 1.
 #[must_use]
 pub fn matched(n: f64) -> f64 {
     // 1 − cos(π/2a) = 2·sin²(π/4a) keeps its digits for large a.
@@ -66,7 +66,7 @@ pub fn matched(n: f64) -> f64 {
         let sin = (FRAC_PI_2 / 2.0 / a).sin();
         (4.0 * a * a * sin * sin - 1.0) / (4.0 * a * a - 1.0)
     };
-    let (mut low, mut high) = (1.0, 1.0 + n.sqrt());
+    let (mut low, mut high) = (0.6, 1.0 + n.sqrt());
     for _ in 0..64 {
         let middle = (low + high) / 2.0;
         if integral(middle) > 1.0 / (n + 1.0) {

@@ -6,46 +6,23 @@
 //! 1/√n. The refitted a = 0.7531/√(n − 1.5 + 2/n), b = 2.9926/√(n + 0.94) hold for all n; scenes use these. Largest
 //! errors: [`Blake::bound`] for the refit; for the printed ones see the test.
 
+use crate::shade::curve::{Curve, Pieces};
+
 /// Two quadratic pieces.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Blake {
-    /// The angle where the pieces meet, radians.
-    pub a: f64,
-    /// The angle where the highlight ends, radians.
-    pub b: f64,
-}
+pub struct Blake(pub Pieces);
 
 impl Blake {
-    /// The pieces as printed.
-    #[must_use]
-    pub fn printed(n: f64) -> Self {
-        Self {
-            a: (n + 5.6) / (n * (0.09 * n + 5.2)),
-            b: (n + 65.0) / (5.0 * n + 31.7),
-        }
-    }
-
-    /// The refitted pieces, n ≥ 1.
+    /// The refitted pieces in closed form, n ≥ 1.
     #[must_use]
     pub fn refitted(n: f64) -> Self {
-        Self {
-            a: 0.7531 / (n - 1.5 + 2.0 / n).sqrt(),
-            b: 2.9926 / (n + 0.94).sqrt(),
-        }
+        Self(Pieces::closed_form(n))
     }
 
     /// The value at cosine `e`.
     #[must_use]
     pub fn value(&self, e: f64) -> f64 {
-        let (a, b) = (self.a, self.b);
-        let angle = e.clamp(-1.0, 1.0).acos();
-        if angle <= a {
-            1.0 - angle * angle / (a * b)
-        } else if angle < b {
-            (angle - b).powi(2) / (b * (b - a))
-        } else {
-            0.0
-        }
+        self.0.at(e.clamp(-1.0, 1.0).acos())
     }
 
     /// A bound on the error of [`Blake::refitted`] against εⁿ in LSB, for n from 1 to 500.
@@ -109,7 +86,7 @@ mod tests {
                 if e < 0.0 {
                     0.0
                 } else {
-                    Blake::printed(n).value(e)
+                    Blake(Pieces::printed(n)).value(e)
                 }
             });
             assert!((e - want).abs() < f64::max(0.06, 0.02 * want), "{n}: {e}");
@@ -119,7 +96,7 @@ mod tests {
     #[test]
     fn the_pieces_meet_smoothly() {
         for n in [1.0, 4.0, 50.0, 10_000.0] {
-            let c = Blake::refitted(n);
+            let c = Blake::refitted(n).0;
             assert!(0.0 < c.a && c.a < c.b);
             // Value and slope of both pieces at a.
             let (outer, inner) = ((c.a - c.b) / c.b / -1.0, 1.0 - c.a / c.b);

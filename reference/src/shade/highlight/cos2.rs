@@ -2,12 +2,12 @@
 //! the product that a table of one period of cos² makes.
 //!
 //! a(n) gives f the same integral over the sphere as the power has (6.12):
-//! (2a²(1 − cos(π/2a)) − 1)/(4a² − 1) = 1/(n + 1). The left side falls with a, so bisection finds a. It is evaluated with
-//! 1 − cos = 2·sin² of half the angle, which does not cancel for large a.
+//! (2a²(1 − cos(π/2a)) − 1)/(4a² − 1) = 1/(n + 1). [`matched`] solves it.
 //!
 //! Largest error: [`Cos2::bound`], rising from 0 at n = 2 to 18.4 LSB.
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use crate::shade::curve::cos2::matched;
+use std::f64::consts::FRAC_PI_2;
 
 /// A squared cosine.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,28 +16,11 @@ pub struct Cos2 {
     pub a: f64,
 }
 
-/// The left side of 6.12.
-fn integral(a: f64) -> f64 {
-    let s = (FRAC_PI_4 / a).sin();
-    (4.0 * a * a * s * s - 1.0) / (4.0 * a * a - 1.0)
-}
-
 impl Cos2 {
     /// The function with the integral of εⁿ, n ≥ 1.
     #[must_use]
     pub fn new(n: f64) -> Self {
-        let (mut low, mut high) = (0.6, 1.0 + n.sqrt());
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if integral(middle) > 1.0 / (n + 1.0) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        Self {
-            a: 0.5 * (low + high),
-        }
+        Self { a: matched(n) }
     }
 
     /// The value at cosine `e`.
