@@ -16,6 +16,7 @@ pub mod sample;
 pub mod scene;
 pub mod setup;
 pub mod shade;
+mod simd;
 pub mod skips;
 pub mod supported;
 pub mod texture;

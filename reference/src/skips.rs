@@ -34,6 +34,8 @@ pub const PRODUCTS_ENOUGH: &str = "products-enough";
 pub const SPECULAR: &str = "specular";
 /// A triangle shaded per pixel by `auto` to which no light comes.
 pub const DIFFUSE: &str = "diffuse";
+/// The bounds of a triangle of a few pixels, which `auto` shades per pixel at once.
+pub const BOUNDS: &str = "bounds";
 /// A sub-frame of a frame in which nothing moves by as much as a pixel while the shutter is open: drawn once, still, with
 /// everything less than a pixel from where it would be.
 pub const BLUR: &str = "blur";
@@ -54,7 +56,7 @@ pub const DEGENERATE: &str = "degenerate";
 /// A triangle of which the near plane, the far plane or the guard band leaves nothing. Always skipped as well.
 pub const CLIPPED_AWAY: &str = "clipped-away";
 
-const NAMES: [&str; 20] = [
+const NAMES: [&str; 21] = [
     BACK_FACE,
     VERTEX,
     FRUSTUM,
@@ -69,6 +71,7 @@ const NAMES: [&str; 20] = [
     PRODUCTS_ENOUGH,
     SPECULAR,
     DIFFUSE,
+    BOUNDS,
     BLUR,
     BACK_EDGE,
     MASKED,
@@ -111,6 +114,7 @@ impl Skips {
             PRODUCTS_ENOUGH => "a triangle that quadratic interpolation of N·L and N·H draws within the error wanted of `auto`",
             SPECULAR => "a triangle shaded per pixel by `auto` on which no highlight can be seen",
             DIFFUSE => "a triangle shaded per pixel by `auto` to which no light comes",
+            BOUNDS => "the bounds of a triangle of a few pixels, which `auto` shades per pixel at once",
             BLUR => "a sub-frame of a frame in which nothing moves by as much as a pixel: drawn once",
             BACK_EDGE => "an edge of a wireframe of which no face shows its front",
             MASKED => "with anti-aliasing: a triangle in a pixel that those before it cover wholly, not composited",

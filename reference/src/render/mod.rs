@@ -20,6 +20,7 @@ use crate::shade::{auto, flat, shared};
 use crate::skips::{self, Skips};
 use crate::texture::Textured;
 use bands::Tally;
+use fearless_simd::Level;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -58,6 +59,15 @@ pub enum Vectors {
     /// None: pixel by pixel, as the methods of the papers are drawn; for comparisons between methods. Colours then are real
     /// numbers to the end and may round differently in rare pixels.
     None,
+}
+
+impl Vectors {
+    fn level(self) -> Level {
+        match self {
+            Self::Baseline | Self::None => Level::baseline(),
+            Self::Widest => Level::new(),
+        }
+    }
 }
 
 /// What drawing took.
@@ -126,7 +136,7 @@ fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats)
     if let Some(drawn) = dispatch(p, method, Draw { p, o, start }) {
         return drawn;
     }
-    let auto = auto::Auto::new(p, o.max_error, &o.skips);
+    let auto = auto::Auto::new(p, o.max_error, &o.skips, o.vectors.level());
     let (frame, mut stats) = if p.is_textured() {
         scalar(p, &auto, o, start)
     } else {
@@ -167,10 +177,7 @@ fn vectors(
 ) -> (Frame, RenderStats) {
     let setup_ns = nanoseconds(start);
     let start = Instant::now();
-    let level = match o.vectors {
-        Vectors::Baseline | Vectors::None => fearless_simd::Level::baseline(),
-        Vectors::Widest => fearless_simd::Level::new(),
-    };
+    let level = o.vectors.level();
     let skip_hidden = o.skips.is_on(skips::HIDDEN);
     let (frame, mut tally) = lanes::draw(p, level, &o.skips, paint);
     if skip_hidden {

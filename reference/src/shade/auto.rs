@@ -1,19 +1,25 @@
 //! The cheapest way to draw each triangle within a given error: one colour, linear, quadratic, quadratic dot products, or
 //! Phong's vectors per pixel, the first whose proved bound ([`super::bound`]) is small enough.
 
+use super::bound::sampled::{noise, sample};
 use super::bound::{Bounds, Tables};
-use super::paint::{is_plain, Dots, Paint, Phong};
+use super::paint::{self, is_plain, Dots, Paint, Phong};
 use super::shared::{self, Table};
 use super::KNOT_MAX;
 use crate::geometry::{Prepared, ScreenTriangle};
 use crate::parallel;
+use crate::raster::{area2, SUBPIXELS};
 use crate::skips::{self, Skips};
+use fearless_simd::Level;
 use glam::DVec3;
 use std::collections::BTreeMap;
 
 /// What fixed point and f32 may add to the error of constant, linear and quadratic colours and of quadratic products, LSB (see
 /// the renderer).
 const ARITHMETIC: f64 = 0.02;
+
+/// Triangles of fewer pixels are shaded per pixel without asking what would be enough.
+const FEW: u64 = 12;
 
 /// How a triangle is drawn, cheapest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -45,20 +51,27 @@ struct Plan {
     choice: Choice,
     specular: bool,
     diffuse: bool,
+    bounded: bool,
 }
 
 impl<'a> Auto<'a> {
     /// Chooses for every triangle; `error` is the largest error wanted, LSB, beside the rounding of the byte.
     #[must_use]
-    pub fn new(p: &'a Prepared, error: f64, skips: &Skips) -> Self {
+    pub fn new(p: &'a Prepared, error: f64, skips: &Skips, level: Level) -> Self {
         let tables = Tables::new(p);
         let vertices = shared::vertices(p);
         let plan = parallel::map(p.triangles.len(), |i| {
             let t = &p.triangles[i];
-            if is_plain(p, t) {
-                choose(p, t, &tables.bounds(p, t), &vertices.of(i), error, skips)
-            } else {
+            if !is_plain(p, t) {
                 Plan::whole(Choice::Exact)
+            } else if skips.is_on(skips::BOUNDS) && is_few(t) {
+                Plan {
+                    bounded: false,
+                    ..Plan::whole(per_pixel(p, t, error))
+                }
+            } else {
+                let bounds = tables.of_plain(p, t);
+                choose(p, t, &bounds, &vertices.of(i), error, skips, level)
             }
         });
         let edges = shared::edges(p, |i| plan[i].choice == Choice::Quadratic);
@@ -124,6 +137,7 @@ impl<'a> Auto<'a> {
             });
             count((!plan.specular).then_some(skips::SPECULAR));
             count((!plan.diffuse).then_some(skips::DIFFUSE));
+            count((!plan.bounded).then_some(skips::BOUNDS));
         }
         counts
     }
@@ -136,6 +150,7 @@ impl Plan {
             choice,
             specular: true,
             diffuse: true,
+            bounded: true,
         }
     }
 
@@ -161,36 +176,55 @@ fn choose(
     knots: &[[f64; 3]; 3],
     error: f64,
     skips: &Skips,
+    level: Level,
 ) -> Plan {
     let room = error - ARITHMETIC;
+    let enough = |way: &str, bound: f64| bound <= room && skips.is_on(way);
     // Knots that saturate are not where the polynomial wants them.
     let free = knots.iter().flatten().all(|k| *k < KNOT_MAX);
     if free {
         let m = mean(knots);
         let apart = |k: &[f64; 3]| (0..3).fold(0.0f64, |a, c| a.max((k[c] - m[c]).abs()));
         let spread = knots.iter().map(apart).fold(0.0, f64::max);
-        if bounds.linear + spread <= room && skips.is_on(skips::FLAT_ENOUGH) {
+        if enough(skips::FLAT_ENOUGH, bounds.linear + spread) {
             return Plan::whole(Choice::Constant);
         }
-        if bounds.linear <= room && skips.is_on(skips::LINEAR_ENOUGH) {
+        if enough(skips::LINEAR_ENOUGH, bounds.linear) {
             return Plan::whole(Choice::Linear);
         }
-        if bounds.quadratic <= room && skips.is_on(skips::QUADRATIC_ENOUGH) {
+        let quadratic = enough(skips::QUADRATIC_ENOUGH, bounds.quadratic);
+        if enough(skips::LINEAR_ENOUGH, bounds.linear_between)
+            || (!quadratic && enough(skips::QUADRATIC_ENOUGH, bounds.quadratic_between))
+        {
+            if let Some(phong) = Phong::new(p, t) {
+                let sampled = sample(level, &phong);
+                let noise = noise(&phong);
+                if enough(
+                    skips::LINEAR_ENOUGH,
+                    sampled.linear + bounds.linear_between + noise,
+                ) {
+                    return Plan::whole(Choice::Linear);
+                }
+                if enough(
+                    skips::QUADRATIC_ENOUGH,
+                    4.0 / 3.0 * sampled.quadratic + bounds.quadratic_between + noise,
+                ) {
+                    return Plan::whole(Choice::Quadratic);
+                }
+            }
+        }
+        if quadratic {
             return Plan::whole(Choice::Quadratic);
         }
     }
     let m = p.surroundings.material(t.material);
-    let mut choice = Choice::Phong;
-    let mut left = room;
-    if bounds.dots <= room && skips.is_on(skips::PRODUCTS_ENOUGH) {
-        choice = Choice::Dots;
-        left -= bounds.dots;
-    } else if let Some(phong) = Phong::new(p, t) {
-        let arithmetic = phong.arithmetic();
-        if arithmetic > error {
-            return Plan::whole(Choice::Exact);
-        }
-        left = error - arithmetic;
+    let (choice, left) = if enough(skips::PRODUCTS_ENOUGH, bounds.dots) {
+        (Choice::Dots, room - bounds.dots)
+    } else {
+        (per_pixel(p, t, error), error - paint::arithmetic(p, t))
+    };
+    if choice == Choice::Exact {
+        return Plan::whole(choice);
     }
     let has_highlight = m.specular != DVec3::ZERO;
     let specular = !(has_highlight && bounds.specular <= left && skips.is_on(skips::SPECULAR));
@@ -200,5 +234,20 @@ fn choose(
         choice,
         specular,
         diffuse,
+        bounded: true,
     }
+}
+
+/// The way that needs no bound: vectors blended in f32 where that is accurate enough.
+fn per_pixel(p: &Prepared, t: &ScreenTriangle, error: f64) -> Choice {
+    if paint::arithmetic(p, t) <= error {
+        Choice::Phong
+    } else {
+        Choice::Exact
+    }
+}
+
+/// Whether a triangle covers so few pixels that bounds cost more than they can save.
+fn is_few(t: &ScreenTriangle) -> bool {
+    area2(t.position).unsigned_abs() < 2 * FEW * (SUBPIXELS * SUBPIXELS) as u64
 }

@@ -85,6 +85,26 @@ pub enum Direction {
     Blend([DVec3; 3]),
 }
 
+impl Direction {
+    /// The vector where it is the same everywhere.
+    #[must_use]
+    pub fn constant(&self) -> Option<DVec3> {
+        match self {
+            Self::Constant(v) => Some(*v),
+            Self::Blend(_) => None,
+        }
+    }
+
+    /// Its values at the vertices.
+    #[must_use]
+    pub fn corners(&self) -> [DVec3; 3] {
+        match self {
+            Self::Constant(v) => [*v; 3],
+            Self::Blend(a) => *a,
+        }
+    }
+}
+
 /// Vectors with weights, scaled so that the longest has length 1.
 fn scaled(v: [DVec3; 3]) -> [DVec3; 3] {
     let longest = v.iter().fold(0.0f64, |m, v| m.max(v.length()));
@@ -150,14 +170,16 @@ impl Phong {
             shininess: m.shininess,
         })
     }
+}
 
-    /// A bound of what f32 adds to the error, LSB.
-    #[must_use]
-    pub fn arithmetic(&self) -> f64 {
-        let weight = |t: &PhongTerm| (t.diffuse + t.specular).max_element();
-        let sum: f64 = self.terms.iter().map(weight).sum();
-        sum * (1e-4 + 1e-6 * self.shininess)
-    }
+/// A bound of what the f32 of [`Phong`] adds to the error of a triangle, LSB.
+#[must_use]
+pub fn arithmetic(p: &Prepared, t: &ScreenTriangle) -> f64 {
+    let s = &p.surroundings;
+    let m = s.material(t.material);
+    let weight = |k: usize| (s.light(k).0.colour * (m.diffuse + m.specular)).max_element() * 255.0;
+    let sum: f64 = s.reaching(&t.world).iter().map(weight).sum();
+    sum * (1e-4 + 1e-6 * m.shininess)
 }
 
 impl Dots {

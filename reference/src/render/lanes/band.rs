@@ -6,11 +6,12 @@
 
 use super::coarse::Coarse;
 use super::cover::{is_small, Cover};
-use super::fixed::{lanes, three, word, RUN};
+use super::fixed::{lanes, word, RUN};
 use super::kernel::Kernel;
 use super::patch::Patch;
 use crate::raster::{Viewport, Walk};
 use crate::render::bands::Tally;
+use crate::simd::three;
 use crate::ScreenTriangle;
 use fearless_simd::{i32x8, mask32x8, prelude::*, u32x8, Simd};
 

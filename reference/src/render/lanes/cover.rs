@@ -5,9 +5,10 @@
 //! one belong to the triangle, so E of the others is lowered by one. For boxes of up to 16 by 64 pixels all E stay below
 //! 2²⁹.
 
-use super::fixed::{lanes, three};
+use super::fixed::lanes;
 use super::patch::Patch;
 use crate::raster::{area2, Point, SUBPIXELS};
+use crate::simd::three;
 use fearless_simd::{i32x8, mask32x8, prelude::*, Simd};
 
 /// Largest bounding box, in pixels, for which this is meant.

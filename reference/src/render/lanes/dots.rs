@@ -1,12 +1,12 @@
 //! Six-knot quadratics of N·L and N·H, the power per pixel: two additions for each product, and the error of the products
 //! alone (bounded in [`crate::shade::bound`]).
 
-use super::fixed::three;
 use super::kernel::{rows_anew, Kernel};
 use super::patch::Patch;
-use super::real::{pixels, power, ramp, splat, Vector};
 use super::{Dots, DotsTerm};
 use crate::shade::quadric::{Forward, Quadric};
+use crate::simd::real::{pixels, ramp, splat, vector, Exponent, Vector};
+use crate::simd::three;
 use fearless_simd::{f32x8, prelude::*, u32x8, Simd};
 
 /// One product along a row.
@@ -43,7 +43,7 @@ impl<S: Simd> Product<S> {
 pub(super) struct DotsKernel<S: Simd, const N: usize> {
     terms: [Term<S>; N],
     ambient: Vector<S>,
-    shininess: f32x8<S>,
+    shininess: Exponent<S>,
     dx: [f64; 2],
 }
 
@@ -77,16 +77,16 @@ impl<S: Simd, const N: usize> DotsKernel<S, N> {
             *to = Term {
                 light: Quadric::quadratic(*light),
                 half: Quadric::quadratic(*half),
-                diffuse: super::real::vector(simd, from.diffuse),
-                specular: super::real::vector(simd, from.specular),
+                diffuse: vector(simd, from.diffuse),
+                specular: vector(simd, from.specular),
                 lit: from.diffuse != glam::DVec3::ZERO,
                 shines: from.specular != glam::DVec3::ZERO,
             };
         }
         Self {
             terms,
-            ambient: super::real::vector(simd, d.ambient),
-            shininess: splat(simd, d.shininess),
+            ambient: vector(simd, d.ambient),
+            shininess: Exponent::new(simd, d.shininess),
             dx: patch.dx,
         }
     }
@@ -127,7 +127,7 @@ impl<S: Simd, const N: usize> Kernel<S> for DotsKernel<S, N> {
                 sum = three!(c => sum[c] + t.diffuse[c] * cosine);
             }
             if t.shines {
-                let shine = power(simd, half.value.min(one), self.shininess);
+                let shine = self.shininess.of(simd, half.value.min(one));
                 sum = three!(c => sum[c] + t.specular[c] * shine);
             }
         }

@@ -7,6 +7,7 @@
 //! by 64 pixels, are stepped downwards in the same way, with a mixed difference: < ½·(1 + 2·(63 + 63·62/2) + 15·63)·2⁻¹⁹
 //! < 0.005 LSB. Sums wrap; a value that is in range comes out right whatever its registers did in between.
 
+use crate::simd::three;
 use fearless_simd::{f64x4, i32x8, prelude::*, u32x8, Simd};
 
 /// Pixels from one start to the next at most.
@@ -21,26 +22,6 @@ pub(super) const ONE: f64 = (1u32 << FRACTION) as f64;
 pub(super) fn word(scaled: f64) -> i32 {
     (scaled + ROUND).to_bits() as u32 as i32
 }
-
-/// An array of three, written out: functions that take closures are compiled without the vector instructions.
-macro_rules! three {
-    ($c:ident => $value:expr) => {{
-        let a = {
-            let $c = 0usize;
-            $value
-        };
-        let b = {
-            let $c = 1usize;
-            $value
-        };
-        let c = {
-            let $c = 2usize;
-            $value
-        };
-        [a, b, c]
-    }};
-}
-pub(super) use three;
 
 /// Three channels in real numbers; the fourth lane is not used.
 pub(super) type Real<S> = f64x4<S>;

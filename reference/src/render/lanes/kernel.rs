@@ -1,7 +1,8 @@
 //! How eight pixels of a triangle get their colour: constant, linear and quadratic.
 
-use super::fixed::{lanes, real, three, words, Channels, Real, ONE};
+use super::fixed::{lanes, real, words, Channels, Real, ONE};
 use super::patch::Patch;
+use crate::simd::three;
 use fearless_simd::{i32x8, prelude::*, u32x8, Simd};
 
 /// The colour of a triangle along its rows.

@@ -11,7 +11,6 @@ mod kernel;
 mod pack;
 mod patch;
 mod phong;
-mod real;
 
 use super::bands::Tally;
 use super::Frame;
@@ -20,38 +19,15 @@ use crate::parallel;
 use crate::raster::{Viewport, SUBPIXELS};
 use crate::shade::paint::{Direction, Dots, DotsTerm, Paint, Phong, LIGHTS};
 use crate::shade::to_byte;
+use crate::simd::{on_vectors, three};
 use crate::skips::{Skips, HIDDEN, TILES};
 use band::{Band, Memory};
 use dots::DotsKernel;
 use exact::ExactKernel;
-#[cfg(not(target_arch = "x86_64"))]
-use fearless_simd::dispatch;
 use fearless_simd::{prelude::*, u32x8, Level, Simd};
-use fixed::three;
 use kernel::{Constant, Linear, Quadratic};
 use patch::Patch;
 use phong::PhongKernel;
-
-/// Runs an expression with vector registers. Of the many generations of x86-64 two are compiled, those with AVX2 and all
-/// others: each costs a minute of compilation.
-macro_rules! on_vectors {
-    ($level:expr, $simd:ident => $work:expr) => {{
-        #[cfg(target_arch = "x86_64")]
-        if let Some($simd) = $level.as_avx2() {
-            $simd.vectorize(
-                #[inline(always)]
-                || $work,
-            )
-        } else if let Some($simd) = $level.as_sse2() {
-            $simd.vectorize(
-                #[inline(always)]
-                || $work,
-            )
-        }
-        #[cfg(not(target_arch = "x86_64"))]
-        dispatch!($level, $simd => $work)
-    }};
-}
 
 /// Rows in a band: its words stay in the cache, and there are enough bands for every thread.
 const BAND: usize = 32;

@@ -26,6 +26,10 @@ pub struct Field {
     pub turn: f64,
     /// The bound of |σ|, the logarithmic derivative of the length.
     pub stretch: f64,
+    /// The vectors that are blended.
+    corners: [DVec3; 3],
+    /// r, the least length of the blend.
+    least: f64,
 }
 
 impl Field {
@@ -37,6 +41,8 @@ impl Field {
             spread: 0.0,
             turn: 0.0,
             stretch: 0.0,
+            corners: [v; 3],
+            least: v.length(),
         }
     }
 
@@ -73,7 +79,26 @@ impl Field {
             spread: (spread.max(0.0) + 1e-15).sqrt(),
             turn: square.sqrt() / least,
             stretch: 2.0 / 3.0f64.sqrt() * radial / (least * least),
+            corners: a,
+            least,
         })
+    }
+
+    /// How far the dot product with another field goes beyond zero on both sides: the lesser of its largest value and
+    /// that of its negative, 0 where it keeps its sign. Its numerator Σ λᵢλⱼ aᵢ·bⱼ lies between the least and the largest
+    /// of aᵢ·bᵢ and (aᵢ·bⱼ + aⱼ·bᵢ)/2, its denominator is r·r' at least.
+    #[must_use]
+    pub fn crossing(&self, other: &Self) -> f64 {
+        let (a, b) = (&self.corners, &other.corners);
+        let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
+        for i in 0..3 {
+            for j in i..3 {
+                let v = (a[i].dot(b[j]) + a[j].dot(b[i])) / 2.0;
+                lowest = lowest.min(v);
+                highest = highest.max(v);
+            }
+        }
+        (highest.min(-lowest) / (self.least * other.least)).max(0.0)
     }
 
     /// Bounds of the lengths of the first three derivatives.

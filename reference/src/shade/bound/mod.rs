@@ -9,13 +9,15 @@
 //!
 //! g is a sum over lights of k_d·max(0, N·L) and k_s·max(0, N·H)ⁿ, with derivatives from [`field`] and [`power`]. The kink of
 //! max(0, f) where f changes its sign: max(0, f) = f + max(0, −f) and max(0, −f) ≤ F, so its interpolant, within
-//! 0..F (linear) or −F/3..4F/3 (quadratic), errs by F or 4F/3 at most, F the lesser of max f and max −f.
+//! 0..F (linear) or −F/3..4F/3 (quadratic), errs by F or 4F/3 at most, F the lesser of max f and max −f
+//! ([`Field::crossing`]).
 //!
 //! Interpolating N·L and N·H themselves and raising to the power per pixel has no kink: an error e of N·H becomes at
 //! most n·(c + e)ⁿ⁻¹·e, c = max N·H.
 
 pub mod field;
 pub mod power;
+pub mod sampled;
 
 use super::paint::is_plain;
 use crate::geometry::{Prepared, ScreenTriangle};
@@ -41,6 +43,10 @@ pub struct Bounds {
     pub specular: f64,
     /// The largest that all diffuse reflection together can be.
     pub diffuse: f64,
+    /// What stays of the linear error where the colour is known at fifteen points ([`sampled`]).
+    pub linear_between: f64,
+    /// What stays of the quadratic error there.
+    pub quadratic_between: f64,
 }
 
 impl Bounds {
@@ -51,6 +57,8 @@ impl Bounds {
         dots: f64::INFINITY,
         specular: f64::INFINITY,
         diffuse: f64::INFINITY,
+        linear_between: f64::INFINITY,
+        quadratic_between: f64::INFINITY,
     };
 }
 
@@ -155,6 +163,15 @@ impl Tables {
     /// The bounds of a triangle.
     #[must_use]
     pub fn bounds(&self, p: &Prepared, t: &ScreenTriangle) -> Bounds {
+        if is_plain(p, t) {
+            self.of_plain(p, t)
+        } else {
+            Bounds::NONE
+        }
+    }
+
+    /// The bounds of a triangle that [`is_plain`].
+    pub(crate) fn of_plain(&self, p: &Prepared, t: &ScreenTriangle) -> Bounds {
         self.promise(p, t).unwrap_or(Bounds::NONE)
     }
 
@@ -178,10 +195,9 @@ impl Tables {
             dots: 0.0,
             specular: 0.0,
             diffuse: 0.0,
+            linear_between: 0.0,
+            quadratic_between: 0.0,
         };
-        if !is_plain(p, t) {
-            return None;
-        }
         for light in s.reaching(&t.world).iter().map(|k| s.light(k).0) {
             let l = match light.kind {
                 LightKind::Directional { direction } => Field::constant(-direction),
@@ -195,10 +211,17 @@ impl Tables {
             let [least, most] = pair.range();
             if most > 0.0 && weight > 0.0 {
                 let [second, third] = pair.dot();
-                let kink = if least < 0.0 { most.min(-least) } else { 0.0 };
-                sum.linear += weight * (LINEAR * second + kink);
-                sum.quadratic += weight * (QUADRATIC * third + 4.0 / 3.0 * kink);
-                sum.dots += weight * QUADRATIC * third;
+                let kink = if least < 0.0 {
+                    normal.crossing(&l).min(most.min(-least))
+                } else {
+                    0.0
+                };
+                let (linear, quadratic) = (LINEAR * second, QUADRATIC * third);
+                sum.linear += weight * (linear + kink);
+                sum.quadratic += weight * (quadratic + 4.0 / 3.0 * kink);
+                sum.linear_between += weight * (linear / 16.0 + kink);
+                sum.quadratic_between += weight * (quadratic / 8.0 + 4.0 / 3.0 * kink);
+                sum.dots += weight * quadratic;
                 sum.diffuse += weight * most;
             }
             let weight = (light.colour * m.specular).max_element() * 255.0;
@@ -209,8 +232,11 @@ impl Tables {
                 let power = self.powers[t.material].as_ref()?;
                 let [second, third, value, dots] = pair.power(power, m.shininess);
                 // A highlight in 0..=v cannot be missed by more than v, or 4v/3 with overshoot.
-                sum.linear += weight * (LINEAR * second).min(value);
-                sum.quadratic += weight * (QUADRATIC * third).min(4.0 / 3.0 * value);
+                let (linear, quadratic) = (LINEAR * second, QUADRATIC * third);
+                sum.linear += weight * linear.min(value);
+                sum.quadratic += weight * quadratic.min(4.0 / 3.0 * value);
+                sum.linear_between += weight * (linear / 16.0).min(value);
+                sum.quadratic_between += weight * (quadratic / 8.0).min(4.0 / 3.0 * value);
                 sum.dots += weight * dots.min(1.0);
                 sum.specular += weight * value;
             }

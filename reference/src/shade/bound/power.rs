@@ -75,7 +75,10 @@ impl Factors {
         let (c, low) = (cosine(t0), cosine(t1).max(0.0));
         let s = (1.0 - low * low).max(0.0).sqrt();
         let least_s = (1.0 - c * c).max(0.0).sqrt();
-        let p = |k: f64| c.powf(n - k);
+        // cⁿ⁻³ to cⁿ from one power.
+        let p3 = c.powf(n - 3.0);
+        let powers = [p3 * c * c * c, p3 * c * c, p3 * c, p3];
+        let p = |k: usize| powers[k];
         let two = (n - 1.0) * s * s - low * low;
         let two_least = c * c - (n - 1.0) * least_s * least_s;
         let (a, b) = ((n - 1.0) * (n - 2.0), 3.0 * n * c * c);
@@ -86,23 +89,23 @@ impl Factors {
         let hump = 2.0 / 3.0 * b * inner.min(s);
         let cubic = if a <= 0.0 { b * s } else { end.max(hump) };
         Self {
-            second: [n * (n - 1.0) * p(2.0) * s * s, n * p(1.0)],
+            second: [n * (n - 1.0) * p(2) * s * s, n * p(1)],
             third: [
-                n * (n - 1.0) * (n - 2.0) * p(3.0) * s * s * s,
-                3.0 * n * (n - 1.0) * p(2.0) * s,
-                n * p(1.0),
+                n * (n - 1.0) * (n - 2.0) * p(3) * s * s * s,
+                3.0 * n * (n - 1.0) * p(2) * s,
+                n * p(1),
             ],
             second_constant: [
-                n * p(0.0).max(p(2.0) * two.max(two_least).max(0.0)),
-                n * p(1.0) * s,
+                n * p(0).max(p(2) * two.max(two_least).max(0.0)),
+                n * p(1) * s,
             ],
             third_constant: [
-                n * p(3.0) * cubic.max(0.0),
-                n * p(0.0).max((n - 1.0) * p(2.0) * s * s),
-                n * p(1.0) * s,
+                n * p(3) * cubic.max(0.0),
+                n * p(0).max((n - 1.0) * p(2) * s * s),
+                n * p(1) * s,
             ],
-            value: p(0.0),
-            slope: n * p(1.0),
+            value: p(0),
+            slope: n * p(1),
         }
     }
 

@@ -1,37 +1,37 @@
 //! Eight real numbers at a time: powers, unit lengths, bytes.
 
-use super::fixed::three;
+use super::three;
 use fearless_simd::{f32x8, i32x8, prelude::*, u32x8, Simd};
 
 /// A vector per lane.
-pub(super) type Vector<S> = [f32x8<S>; 3];
+pub(crate) type Vector<S> = [f32x8<S>; 3];
 
 /// 0, 1, … 7 as numbers.
 #[inline(always)]
-pub(super) fn ramp<S: Simd>(simd: S) -> f32x8<S> {
+pub(crate) fn ramp<S: Simd>(simd: S) -> f32x8<S> {
     f32x8::simd_from(simd, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0])
 }
 
 /// The same number in all lanes.
 #[inline(always)]
-pub(super) fn splat<S: Simd>(simd: S, v: f64) -> f32x8<S> {
+pub(crate) fn splat<S: Simd>(simd: S, v: f64) -> f32x8<S> {
     f32x8::splat(simd, v as f32)
 }
 
 /// The same vector in all lanes.
 #[inline(always)]
-pub(super) fn vector<S: Simd>(simd: S, v: glam::DVec3) -> Vector<S> {
+pub(crate) fn vector<S: Simd>(simd: S, v: glam::DVec3) -> Vector<S> {
     [splat(simd, v.x), splat(simd, v.y), splat(simd, v.z)]
 }
 
 #[inline(always)]
-pub(super) fn dot<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> f32x8<S> {
+pub(crate) fn dot<S: Simd>(a: &Vector<S>, b: &Vector<S>) -> f32x8<S> {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// 1/|v|; 0 for the zero vector.
 #[inline(always)]
-pub(super) fn inverse_length<S: Simd>(simd: S, v: &Vector<S>) -> f32x8<S> {
+pub(crate) fn inverse_length<S: Simd>(simd: S, v: &Vector<S>) -> f32x8<S> {
     let square = dot(v, v);
     let tiny = f32x8::splat(simd, 1e-30);
     square.simd_gt(tiny).select(
@@ -43,7 +43,7 @@ pub(super) fn inverse_length<S: Simd>(simd: S, v: &Vector<S>) -> f32x8<S> {
 /// max(0, x)ⁿ for x up to 1 and n ≥ 0; 0 where x ≤ 0. Relative error below 2⁻²¹ + n·(1 + |log₂ x|)·2⁻²³: 2^(n·log₂ x) with
 /// log₂ m = 2/ln 2·artanh((m − 1)/(m + 1)) for m in √½..√2 and a polynomial for 2^f, |f| ≤ ½.
 #[inline(always)]
-pub(super) fn power<S: Simd>(simd: S, x: f32x8<S>, n: f32x8<S>) -> f32x8<S> {
+pub(crate) fn power<S: Simd>(simd: S, x: f32x8<S>, n: f32x8<S>) -> f32x8<S> {
     const HALF_ROOT: i32 = 0x3f35_04f3;
     let bits: i32x8<S> = x.bitcast();
     let from = bits - i32x8::splat(simd, HALF_ROOT);
@@ -72,9 +72,59 @@ pub(super) fn power<S: Simd>(simd: S, x: f32x8<S>, n: f32x8<S>) -> f32x8<S> {
         .select(result, f32x8::splat(simd, 0.0))
 }
 
+/// An exponent for many powers.
+#[derive(Clone, Copy)]
+pub(crate) enum Exponent<S: Simd> {
+    /// A whole number, and the base whose power is 2⁻⁶⁰: lesser ones count as that, so that no product is subnormal.
+    Whole(u32, f32x8<S>),
+    /// Any other.
+    Real(f32x8<S>),
+}
+
+impl<S: Simd> Exponent<S> {
+    /// For n ≥ 0.
+    #[inline(always)]
+    pub(crate) fn new(simd: S, n: f64) -> Self {
+        if n > 0.0 && n <= 1024.0 && n.fract() == 0.0 {
+            Self::Whole(n as u32, splat(simd, (-60.0 / n).exp2()))
+        } else {
+            Self::Real(splat(simd, n))
+        }
+    }
+
+    /// max(0, x)ⁿ for x up to 1, by squaring or by [`power`]; relative error below 2⁻²¹ + n·(1 + |log₂ x|)·2⁻²³, or less than
+    /// 2⁻⁵⁹ in all.
+    #[inline(always)]
+    pub(crate) fn of(&self, simd: S, x: f32x8<S>) -> f32x8<S> {
+        match *self {
+            Self::Whole(n, least) => {
+                let mut square = x.max(least);
+                // The first factor, without a product by one.
+                let mut rest = n;
+                while rest & 1 == 0 {
+                    square *= square;
+                    rest >>= 1;
+                }
+                let mut result = square;
+                rest >>= 1;
+                while rest != 0 {
+                    square *= square;
+                    if rest & 1 == 1 {
+                        result *= square;
+                    }
+                    rest >>= 1;
+                }
+                let zero = f32x8::splat(simd, 0.0);
+                x.simd_gt(zero).select(result, zero)
+            }
+            Self::Real(n) => power(simd, x, n),
+        }
+    }
+}
+
 /// The pixels of three channels in LSB: rounded, limited, red in the lowest byte.
 #[inline(always)]
-pub(super) fn pixels<S: Simd>(simd: S, colour: &Vector<S>) -> u32x8<S> {
+pub(crate) fn pixels<S: Simd>(simd: S, colour: &Vector<S>) -> u32x8<S> {
     let (low, high) = (f32x8::splat(simd, 0.5), f32x8::splat(simd, 255.5));
     let bytes: [i32x8<S>; 3] = three!(c => {
         i32x8::truncate_from((colour[c] + low).max(f32x8::splat(simd, 0.0)).min(high))
@@ -84,7 +134,7 @@ pub(super) fn pixels<S: Simd>(simd: S, colour: &Vector<S>) -> u32x8<S> {
 
 /// A vector that grows linearly along a row.
 #[derive(Clone, Copy)]
-pub(super) struct Walk<S: Simd> {
+pub(crate) struct Walk<S: Simd> {
     value: Vector<S>,
     step: Vector<S>,
 }
@@ -92,7 +142,7 @@ pub(super) struct Walk<S: Simd> {
 impl<S: Simd> Walk<S> {
     /// From the value at the first pixel and its change per pixel.
     #[inline(always)]
-    pub(super) fn new(simd: S, at: glam::DVec3, step: glam::DVec3) -> Self {
+    pub(crate) fn new(simd: S, at: glam::DVec3, step: glam::DVec3) -> Self {
         let (k, at, step) = (ramp(simd), vector(simd, at), vector(simd, step));
         Self {
             value: three!(c => at[c] + k * step[c]),
@@ -101,12 +151,12 @@ impl<S: Simd> Walk<S> {
     }
 
     #[inline(always)]
-    pub(super) fn value(&self) -> &Vector<S> {
+    pub(crate) fn value(&self) -> &Vector<S> {
         &self.value
     }
 
     #[inline(always)]
-    pub(super) fn advance(&mut self) {
+    pub(crate) fn advance(&mut self) {
         self.value = three!(c => self.value[c] + self.step[c]);
     }
 }
@@ -117,17 +167,31 @@ mod tests {
     use fearless_simd::{dispatch, Level};
 
     #[inline(always)]
-    fn powers<S: Simd>(simd: S, x: [f32; 8], n: f32) -> [f32; 8] {
-        power(simd, f32x8::simd_from(simd, x), f32x8::splat(simd, n)).to_array()
+    fn powers<S: Simd>(simd: S, x: [f32; 8], n: f32, whole: bool) -> [f32; 8] {
+        let x = f32x8::simd_from(simd, x);
+        let n = f64::from(n);
+        let way = if whole {
+            Exponent::new(simd, n)
+        } else {
+            Exponent::Real(splat(simd, n))
+        };
+        way.of(simd, x).to_array()
     }
 
     #[test]
     fn powers_are_powers() {
-        for level in [Level::new(), Level::baseline()] {
-            for n in [0.0f32, 0.5, 1.0, 5.0, 20.0, 50.0, 100.0, 500.0, 10_000.0] {
+        for (level, whole) in [
+            (Level::new(), false),
+            (Level::baseline(), false),
+            (Level::new(), true),
+            (Level::baseline(), true),
+        ] {
+            for n in [
+                0.0f32, 0.5, 1.0, 3.0, 5.0, 20.0, 50.0, 64.0, 100.0, 500.0, 1023.0, 10_000.0,
+            ] {
                 for i in 0..20_000 {
                     let x = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| (i * 8 + k) as f32 / 160_000.0);
-                    let got = dispatch!(level, simd => powers(simd, x, n));
+                    let got = dispatch!(level, simd => powers(simd, x, n, whole));
                     for (g, x) in got.into_iter().zip(x) {
                         let want = if x > 0.0 {
                             f64::from(x).powf(f64::from(n))
@@ -135,7 +199,8 @@ mod tests {
                             0.0
                         };
                         let steep = f64::from(n) * (1.0 + f64::from(x).max(1e-38).log2().abs());
-                        let bound = want * (2f64.powi(-21) + steep * 2f64.powi(-23)) + 1e-30;
+                        let bound =
+                            want * (2f64.powi(-21) + steep * 2f64.powi(-23)) + 2f64.powi(-59);
                         assert!(
                             (f64::from(g) - want).abs() <= bound,
                             "{x}^{n} = {g}, not {want}"
@@ -152,7 +217,7 @@ mod tests {
                     f32::MIN_POSITIVE,
                     0.999_999_9,
                 ];
-                let got = dispatch!(level, simd => powers(simd, odd, n));
+                let got = dispatch!(level, simd => powers(simd, odd, n, whole));
                 assert_eq!((got[0], got[1], got[2], got[3]), (0.0, 0.0, 0.0, 1.0));
                 assert!(got.iter().all(|v| (0.0..=1.0).contains(v)), "{got:?}");
             }
