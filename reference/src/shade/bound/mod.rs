@@ -12,6 +12,8 @@
 //! 0..F (linear) or −F/3..4F/3 (quadratic), errs by F or 4F/3 at most, F the lesser of max f and max −f
 //! ([`Field::crossing`]).
 //!
+//! Where the colour is evaluated at some points, less is left to these bounds: see [`sampled`].
+//!
 //! Interpolating N·L and N·H themselves and raising to the power per pixel has no kink: an error e of N·H becomes at
 //! most n·(c + e)ⁿ⁻¹·e, c = max N·H.
 
