@@ -108,24 +108,24 @@ fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats)
         match method {
             Method::Flat => {
                 let colours = parallel::map(p.triangles.len(), |i| flat::knot(p, &p.triangles[i]));
-                return vectors(p, o, start, |i| Paint::Constant(colours[i]));
+                return vectors(p, o, start, &|i| Paint::Constant(colours[i]));
             }
             Method::Gouraud => {
                 let knots = shared::vertices(p);
-                return vectors(p, o, start, |i| Paint::Linear(knots.of(i)));
+                return vectors(p, o, start, &|i| Paint::Linear(knots.of(i)));
             }
             Method::Quadratic => {
                 let knots = shared::Six::new(p);
-                return vectors(p, o, start, |i| Paint::Quadratic(knots.of(i)));
+                return vectors(p, o, start, &|i| Paint::Quadratic(knots.of(i)));
             }
             Method::QuadraticDots if all_plain(p) => {
                 let paint = |i| Dots::new(p, i).map_or(Paint::Exact, Paint::Dots);
-                return vectors(p, o, start, paint);
+                return vectors(p, o, start, &paint);
             }
             Method::Phong if !p.has_bumps() => {
                 let paint =
                     |i: usize| Phong::new(p, &p.triangles[i]).map_or(Paint::Exact, Paint::Phong);
-                return vectors(p, o, start, paint);
+                return vectors(p, o, start, &paint);
             }
             _ => {}
         }
@@ -140,7 +140,7 @@ fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats)
     let (frame, mut stats) = if p.is_textured() {
         scalar(p, &auto, o, start)
     } else {
-        vectors(p, o, start, |i| auto.paint(i))
+        vectors(p, o, start, &|i| auto.paint(i))
     };
     for (name, count) in auto.skipped() {
         stats.skipped.insert(name, count);
@@ -173,7 +173,7 @@ fn vectors(
     p: &Prepared,
     o: &RenderOptions,
     start: Instant,
-    paint: impl Fn(usize) -> Paint + Sync + Send,
+    paint: &lanes::Painter<'_>,
 ) -> (Frame, RenderStats) {
     let setup_ns = nanoseconds(start);
     let start = Instant::now();

@@ -32,12 +32,16 @@ use phong::PhongKernel;
 /// Rows in a band: its words stay in the cache, and there are enough bands for every thread.
 const BAND: usize = 32;
 
+/// What triangle `i` is painted with. Called through a pointer, so that the kernels are compiled once for each kind of
+/// registers and not once more for every method.
+pub(super) type Painter<'a> = dyn Fn(usize) -> Paint + Sync + 'a;
+
 /// Draws every triangle with the paint that `paint` gives it.
 pub(super) fn draw(
     p: &Prepared,
     level: Level,
     skips: &Skips,
-    paint: impl Fn(usize) -> Paint + Sync + Send,
+    paint: &Painter<'_>,
 ) -> (Frame, Tally) {
     let bins = Bins::new(p);
     // Every pixel will be written, the background too.
@@ -59,7 +63,7 @@ pub(super) fn draw(
             band.skip_tiles = skips.is_on(TILES);
             let bin = bins.of(k);
             on_vectors!(level, simd => {
-                triangles(simd, p, &mut band, bin, &paint);
+                triangles(simd, p, &mut band, bin, paint);
                 for (row, out) in band.rows().zip(pixels.chunks_exact_mut(width)) {
                     pack::row(simd, row, out);
                 }
@@ -76,7 +80,7 @@ fn triangles<S: Simd>(
     p: &Prepared,
     band: &mut Band<'_>,
     bin: &[u32],
-    paint: &impl Fn(usize) -> Paint,
+    paint: &Painter<'_>,
 ) {
     for i in bin {
         let i = *i as usize;
