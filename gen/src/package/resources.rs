@@ -50,6 +50,11 @@ const GOURAUD: [Measured; 3] = [
     row("spartan-6", 1272, 1882, 76),
     row("spartan-7", 1288, 1882, 38),
 ];
+const QUADRATIC_DOTS: [Measured; 3] = [
+    row("spartan-3", 0, 0, 0),
+    row("spartan-6", 0, 0, 0),
+    row("spartan-7", 0, 0, 0),
+];
 
 /// The estimate in a manifest.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -68,6 +73,7 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
     let all = match core.order {
         Order::Linear => GOURAUD,
         Order::Quadratic => QUADRATIC,
+        Order::QuadraticDots => QUADRATIC_DOTS,
     };
     let rows: Vec<Measured> = all
         .into_iter()

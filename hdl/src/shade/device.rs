@@ -6,7 +6,7 @@
 use super::gouraud::GouraudCore;
 use super::model::{bus_bits, CoreInputs, CoreModel, CoreOutputs, Order};
 use super::phong::power::{PLACE_FRACTION_BITS, PLACE_INTEGER_BITS, STEEPEST};
-use super::phong::{ERROR_LSB, LIGHT_FRACTION_BITS, LIGHT_INTEGER_BITS};
+use super::phong::{ERROR_LSB, LIGHT_FRACTION_BITS, LIGHT_INTEGER_BITS, STAGES};
 use super::quadratic::QuadraticCore;
 use super::quadratic_dots::QuadraticDotsCore;
 use super::COLOUR_INTEGER_BITS;
@@ -83,10 +83,10 @@ impl Core {
         }
     }
 
-    /// Name of the top module: a Verilog identifier.
+    /// The name as a Verilog identifier: that of the top module without `_core`.
     #[must_use]
-    pub fn top(&self) -> String {
-        format!("{}_core", self.name().replace('-', "_"))
+    pub fn module(&self) -> String {
+        self.name().replace('-', "_")
     }
 
     /// What the interpolants hold beside depth: names, integer bits, fraction bits.
@@ -112,6 +112,15 @@ impl Core {
             (Order::Linear, true) => 14,
             (Order::QuadraticDots, false) => 15,
             (Order::QuadraticDots, true) => 19,
+        }
+    }
+
+    /// Clocks from the edge that takes `start` to the edge at which the first pixel can be taken, in an idle core.
+    #[must_use]
+    pub fn latency(&self) -> u32 {
+        5 + match self.order {
+            Order::Linear | Order::Quadratic => 0,
+            Order::QuadraticDots => STAGES as u32,
         }
     }
 

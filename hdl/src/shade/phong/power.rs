@@ -100,7 +100,7 @@ pub struct Power {
     /// The power with a sign bit.
     power_bits: Wire<U<18>>,
     /// The table.
-    table: Quiet<PowerTable>,
+    powers: Quiet<PowerTable>,
 }
 
 impl Logic for Power {
@@ -116,13 +116,13 @@ impl Logic for Power {
         );
         self.beyond.next = self.place.val().get_bits::<10>(19);
         self.interval.next = self.place_1.q.val().get_bits::<9>(10);
-        self.table.clock.next = self.clock.val();
-        self.table.read.next = self.go.val();
-        self.table.read_address.next = self.interval.val();
-        self.table.write.next = self.write.val();
-        self.table.write_address.next = self.write_address.val();
-        self.table.write_data.next = self.write_data.val();
-        self.word.next = self.table.read_data.val();
+        self.powers.clock.next = self.clock.val();
+        self.powers.read.next = self.go.val();
+        self.powers.read_address.next = self.interval.val();
+        self.powers.write.next = self.write.val();
+        self.powers.write_address.next = self.write_address.val();
+        self.powers.write_data.next = self.write_data.val();
+        self.word.next = self.powers.read_data.val();
         self.fall.next = self.word.val().get_bits::<14>(0);
         self.product.next = bit_cast_product::<24>(self.fall.val() * self.fraction_2.q.val());
         self.fall_wide.next = bit_cast_u::<18, 14>(self.fall_3.q.val());
