@@ -61,6 +61,8 @@ const QUADRATIC_DOTS: [Measured; 3] = [
 pub struct Resources {
     /// Bits of the depth memory.
     pub depth_memory_bits: u64,
+    /// Multipliers that the description has, whatever they are made of.
+    pub multipliers: u32,
     /// Synthesiser of `measured`.
     pub tool: &'static str,
     /// By family; only the device's, if one is named. Null where this configuration was not measured.
@@ -80,6 +82,10 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
         .filter(|m| size == FRAME && device.is_none_or(|d| d.family == m.family))
         .collect();
     Resources {
+        multipliers: match core.order {
+            Order::Linear | Order::Quadratic => 0,
+            Order::QuadraticDots => 7,
+        },
         depth_memory_bits: core.pixels as u64 * 16,
         tool: TOOL,
         measured: Some(rows).filter(|r| !r.is_empty()),
