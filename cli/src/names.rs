@@ -109,7 +109,7 @@ pub fn hardware_method(
     let by_method = method_name.map(|m| with_core(method(m)?)).transpose()?;
     let by_core = core_name.map(core).transpose()?;
     match (by_method, by_core) {
-        (Some(m), Some(c)) if m != c => Err(Failure::input(format!(
+        (Some(m), Some(c)) if order_of(m) != order_of(c) => Err(Failure::input(format!(
             "core '{c}' does not draw method '{m}'; leave out one of --core and --method"
         ))),
         (Some(m), _) | (None, Some(m)) => Ok(m),
@@ -129,11 +129,11 @@ mod tests {
         }
         assert_eq!(
             core("goraud").unwrap_err().message,
-            "unknown core 'goraud'; the nearest is 'gouraud' of gouraud, quadratic"
+            "unknown core 'goraud'; the nearest is 'gouraud' of gouraud, quadratic, quadratic-dots"
         );
         assert_eq!(
             with_core(Method::Flat).unwrap_err().message,
-            "method 'flat' has no core; cores: gouraud, quadratic"
+            "method 'flat' has no core; cores: gouraud, quadratic, quadratic-dots"
         );
     }
 

@@ -185,7 +185,7 @@ fn methods_without_a_core() {
         "cosim flat.toml",
         "gen --scene flat.toml",
     ] {
-        let message = "method 'flat' has no core; cores: gouraud, quadratic";
+        let message = "method 'flat' has no core; cores: gouraud, quadratic, quadratic-dots";
         f.refuses(arguments, message);
     }
     f.refuses(

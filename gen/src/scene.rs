@@ -1,13 +1,30 @@
 //! A prepared scene as the triangles of a core: knots of its method, depths in words.
 
-use crate::stimulus::Triangle;
+mod reflected;
+
+pub use reflected::{suited, Unsuited};
+
+use crate::stimulus::{Material, Triangle};
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::{depth, shade, Method, Prepared, Scene, ScreenTriangle};
 
 /// Methods that have a core, by catalogue name.
-pub const CORES: [(&str, Order, Method); 2] = [
+pub const CORES: [(&str, Order, Method); 3] = [
     ("gouraud", Order::Linear, Method::Gouraud),
     ("quadratic", Order::Quadratic, Method::Quadratic),
+    (
+        "quadratic-dots",
+        Order::QuadraticDots,
+        Method::QuadraticDots,
+    ),
+];
+
+/// Methods that a core draws by their set-up alone, beside its own.
+pub const SET_UPS: [(Method, Order); 4] = [
+    (Method::Taylor, Order::QuadraticDots),
+    (Method::TaylorVertex, Order::QuadraticDots),
+    (Method::XShading, Order::QuadraticDots),
+    (Method::XShadingCached, Order::QuadraticDots),
 ];
 
 /// What a scene has that no core draws.
@@ -52,36 +69,53 @@ pub fn drawable(scene: &Scene) -> Result<(), Undrawable> {
 /// The core of a method.
 #[must_use]
 pub fn order_of(method: Method) -> Option<Order> {
-    CORES
-        .iter()
-        .find(|(_, _, m)| *m == method)
-        .map(|(_, order, _)| *order)
+    let own = CORES.iter().map(|(_, order, m)| (*m, *order));
+    own.chain(SET_UPS)
+        .find(|(m, _)| *m == method)
+        .map(|(_, order)| order)
 }
 
-/// The software method that a core draws.
+/// The software method that has the name of a core.
 #[must_use]
 pub fn method_of(order: Order) -> Method {
     match order {
         Order::Linear => Method::Gouraud,
         Order::Quadratic => Method::Quadratic,
+        Order::QuadraticDots => Method::QuadraticDots,
     }
 }
 
-fn knots(p: &Prepared, t: &ScreenTriangle, order: Order) -> Vec<[f64; 3]> {
-    match order {
-        Order::Linear => shade::gouraud::knots(p, t).to_vec(),
-        Order::Quadratic => shade::quadratic::knots(p, t).to_vec(),
+/// Knots of a triangle, and its material where the core shades per pixel.
+fn knots(p: &Prepared, index: usize, method: Method) -> (Vec<[f64; 3]>, Option<Material>) {
+    let t = &p.triangles[index];
+    match order_of(method).unwrap_or(Order::Linear) {
+        Order::Linear => (shade::gouraud::knots(p, t).to_vec(), None),
+        Order::Quadratic => (shade::quadratic::knots(p, t).to_vec(), None),
+        Order::QuadraticDots => {
+            let (knots, material) = reflected::knots(p, index, method);
+            (knots, Some(material))
+        }
     }
 }
 
-/// All triangles of a prepared scene, in drawing order.
+/// All triangles of a prepared scene, in drawing order, for the method that has the name of a core.
 #[must_use]
 pub fn triangles(p: &Prepared, order: Order) -> Vec<Triangle> {
-    let one = |t: &ScreenTriangle| Triangle {
-        position: t.position,
-        depth: t.depth.map(depth::scaled),
-        knots: knots(p, t, order),
-        label: format!("object {}, face {}", t.object, t.face),
+    triangles_of(p, method_of(order))
+}
+
+/// All triangles of a prepared scene, in drawing order, for a method that has a core.
+#[must_use]
+pub fn triangles_of(p: &Prepared, method: Method) -> Vec<Triangle> {
+    let one = |(index, t): (usize, &ScreenTriangle)| {
+        let (knots, material) = knots(p, index, method);
+        Triangle {
+            position: t.position,
+            depth: t.depth.map(depth::scaled),
+            knots,
+            material,
+            label: format!("object {}, face {}", t.object, t.face),
+        }
     };
-    p.triangles.iter().map(one).collect()
+    p.triangles.iter().enumerate().map(one).collect()
 }

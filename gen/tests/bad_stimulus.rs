@@ -19,6 +19,7 @@ fn good() -> Triangle {
         position: [p(10, 10), p(60, 20), p(20, 90)],
         depth: [1.0, 2.0, 3.0],
         knots: vec![[10.0; 3]; 6],
+        material: None,
         label: "object 2, face 7".into(),
     }
 }

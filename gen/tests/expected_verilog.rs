@@ -7,8 +7,8 @@ use shadegate_hdl::shade::model::Order;
 use std::path::Path;
 
 #[test]
-fn both_cores() {
-    for order in [Order::Linear, Order::Quadratic] {
+fn every_core() {
+    for order in [Order::Linear, Order::Quadratic, Order::QuadraticDots] {
         let core = Core::for_frame(order, 320, 240).expect("in range");
         let files = rtl(&core).expect("emits").files;
         assert_eq!(

@@ -5,7 +5,7 @@ mod common;
 
 use common::{make, need, run, silent, Made};
 use sha2::{Digest, Sha256};
-use shadegate_gen::package::{registers, resources};
+use shadegate_gen::package::{registers, resources, Register};
 use shadegate_gen::stimulus::{build, sample_triangles, StimulusOptions};
 use shadegate_gen::wrapper::Wrapper;
 use shadegate_hdl::shade::device::Core;
@@ -100,7 +100,7 @@ fn constraints_and_scripts_are_those_of_the_device() {
 
 #[test]
 fn emitted_verilog_is_ascii_and_the_readme_holds_the_example() {
-    for order in [Order::Linear, Order::Quadratic] {
+    for order in [Order::Linear, Order::Quadratic, Order::QuadraticDots] {
         let made = made(order, Some("arty-s7-50"));
         for f in made.package.files.iter().filter(|f| f.path.ends_with(".v")) {
             assert!(f.text.is_ascii(), "{}", f.path);
@@ -131,6 +131,7 @@ fn the_register_map_is_what_a_host_writes() {
         (Order::Quadratic, 320, 240),
         (Order::Quadratic, 1024, 768),
         (Order::Linear, 1024, 768),
+        (Order::QuadraticDots, 320, 240),
     ] {
         let core = Core::for_frame(order, width, height).expect("in range");
         let viewport = Viewport { width, height };
@@ -148,7 +149,12 @@ fn the_register_map_is_what_a_host_writes() {
             *written.entry((*select, "triangle")).or_default() |= data;
         }
         let map = registers(&core);
-        let known: BTreeSet<(u8, &str)> = map.iter().map(|r| (r.select, r.per)).collect();
+        // Materials come with the triangles that have them.
+        let per = |r: &Register| match r.per {
+            "material" => "triangle",
+            per => per,
+        };
+        let known: BTreeSet<(u8, &str)> = map.iter().map(|r| (r.select, per(r))).collect();
         assert_eq!(known.len(), map.len(), "a register twice");
         assert_eq!(
             known,
@@ -156,7 +162,7 @@ fn the_register_map_is_what_a_host_writes() {
             "{order:?} {width}"
         );
         for r in &map {
-            let bits = written[&(r.select, r.per)];
+            let bits = written[&(r.select, per(r))];
             assert!(bits >> r.bits == 0, "{} {}: {bits:x}", r.target, r.name);
             assert!(r.bits <= core.bus_bits());
             let mut above = r.bits;
@@ -247,6 +253,7 @@ fn the_example_draws_its_triangle_each_time() {
         (Order::Linear, 16, 12),
         (Order::Quadratic, 20, 600),
         (Order::Quadratic, 2, 1),
+        (Order::QuadraticDots, 20, 15),
     ] {
         let made = make(order, width, height, None, &[]);
         let directory = made.unpacked();

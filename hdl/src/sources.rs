@@ -9,6 +9,18 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("gouraud_core", include_str!("shade/gouraud.rs")),
     ("linear_1", include_str!("interpolate/linear_1.rs")),
     ("linear_2", include_str!("interpolate/linear_2.rs")),
+    (
+        "fragment_delay",
+        include_str!("shade/phong/fragment_delay.rs"),
+    ),
+    ("phong_colour", include_str!("shade/phong/colour.rs")),
+    ("power", include_str!("shade/phong/power.rs")),
+    ("power_table", include_str!("shade/phong/power_table.rs")),
+    (
+        "quadratic_dots_core",
+        include_str!("shade/quadratic_dots.rs"),
+    ),
+    ("reflect", include_str!("shade/phong/reflect.rs")),
     ("pixel_stream", include_str!("shade/pixel_stream.rs")),
     ("quadratic_1", include_str!("interpolate/quadratic_1.rs")),
     ("quadratic_2", include_str!("interpolate/quadratic_2.rs")),

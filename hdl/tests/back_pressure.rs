@@ -64,6 +64,11 @@ fn quadratic_core_under_any_pattern() {
 }
 
 #[test]
+fn quadratic_dots_core_under_any_pattern() {
+    any_pattern(Order::QuadraticDots, 13);
+}
+
+#[test]
 fn gouraud_core_under_any_pattern() {
     any_pattern(Order::Linear, 12);
 }

@@ -55,6 +55,8 @@ fn run(core: Core, seed: u64, clocks: usize) {
         } else {
             (r.random_range(1..16u8) << 4) | ((next >> 1) % 11)
         };
+        // Now and then the fence of the cores that have one.
+        let select = if r.random_ratio(1, 60) { 12 } else { select };
         let i = CoreInputs {
             write,
             select,
@@ -94,7 +96,13 @@ fn gouraud_core() {
 }
 
 #[test]
+fn quadratic_dots_core() {
+    run(core(Order::QuadraticDots, false), 25, CLOCKS);
+}
+
+#[test]
 fn wide_cores() {
     run(core(Order::Quadratic, true), 23, CLOCKS / 4);
     run(core(Order::Linear, true), 24, CLOCKS / 4);
+    run(core(Order::QuadraticDots, true), 26, CLOCKS / 4);
 }

@@ -11,7 +11,12 @@ use shadegate_hdl::interpolate::quadratic_1::Quadratic1;
 use shadegate_hdl::interpolate::quadratic_2::Quadratic2;
 use shadegate_hdl::raster::edge_walk::EdgeWalk;
 use shadegate_hdl::raster::shell::Shell;
-use shadegate_hdl::shade::device::{GouraudNarrow, QuadraticNarrow};
+use shadegate_hdl::shade::device::{GouraudNarrow, QuadraticDotsNarrow, QuadraticNarrow};
+use shadegate_hdl::shade::phong::colour::PhongColour;
+use shadegate_hdl::shade::phong::fragment_delay::FragmentDelay;
+use shadegate_hdl::shade::phong::power::Power;
+use shadegate_hdl::shade::phong::power_table::PowerTable;
+use shadegate_hdl::shade::phong::reflect::Reflect;
 use shadegate_hdl::shade::pixel_stream::PixelStream;
 use shadegate_hdl::shade::saturate::Saturate;
 use shadegate_hdl::simulate::{check_ports, Quiet, Register, Wire};
@@ -32,6 +37,12 @@ fn every_description_lists_its_ports() {
     check_ports(&PixelStream::<6>::new(41)).unwrap();
     check_ports(&GouraudNarrow::new(1200)).unwrap();
     check_ports(&QuadraticNarrow::new(1200)).unwrap();
+    check_ports(&PowerTable::default()).unwrap();
+    check_ports(&Power::default()).unwrap();
+    check_ports(&Reflect::default()).unwrap();
+    check_ports(&PhongColour::default()).unwrap();
+    check_ports(&FragmentDelay::<6>::default()).unwrap();
+    check_ports(&QuadraticDotsNarrow::new(1200)).unwrap();
 }
 
 #[derive(LogicBlock, Default)]

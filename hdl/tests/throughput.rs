@@ -54,6 +54,7 @@ fn no_bubbles(order: Order, seed: u64) {
 fn no_bubbles_in_or_between_triangles() {
     no_bubbles(Order::Quadratic, 1);
     no_bubbles(Order::Linear, 2);
+    no_bubbles(Order::QuadraticDots, 5);
 }
 
 #[test]
@@ -117,13 +118,16 @@ fn an_empty_row_costs_at_most_one_clock() {
 }
 
 #[test]
-fn the_first_pixel_comes_five_clocks_after_start() {
-    for order in [Order::Quadratic, Order::Linear] {
+fn the_first_pixel_comes_with_the_stated_latency() {
+    for order in [Order::Quadratic, Order::Linear, Order::QuadraticDots] {
         let mut m = Machine::new(order, SIZE.width, SIZE.height);
         let t = Triangle::flat([(0.0, 0.0), (9.0, 0.0), (0.0, 9.0)], 1);
         let words = t.writes(order, SIZE).len();
         let trace = m.draw(&[t], |_| true);
         // The last word and start are presented in clock words − 1.
-        assert_eq!(*valid_range(&trace).start(), words - 1 + 5);
+        assert_eq!(
+            *valid_range(&trace).start(),
+            words - 1 + m.kind.latency() as usize
+        );
     }
 }

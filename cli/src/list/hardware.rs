@@ -4,13 +4,12 @@ use super::Section;
 use serde_json::json;
 use shadegate_gen::scene::CORES;
 use shadegate_hdl::shade::device::{Core, MAX_HEIGHT, MAX_WIDTH, NARROW_RUN, WIDE_RUN};
-use shadegate_hdl::shade::COLOUR_INTEGER_BITS;
 
 /// Every core in its narrow and its wide format.
 pub fn cores() -> Section {
     let mut section = Section::new(&[
         "core",
-        "colour",
+        "interpolants",
         "bus",
         "address",
         "longest run",
@@ -23,11 +22,14 @@ pub fn cores() -> Section {
                 wide,
                 pixels: 2,
             };
-            let (int, frac) = (COLOUR_INTEGER_BITS, core.fraction_bits());
+            let formats = core.formats();
+            let q = |(_, int, frac): &(&str, usize, usize)| format!("Q{int}.{frac}");
+            let all: Vec<String> = formats.iter().map(q).collect();
+            let (_, int, frac) = formats.first().copied().unwrap_or_default();
             section.add(
                 [
                     name.to_owned(),
-                    format!("Q{int}.{frac}"),
+                    all.join(", "),
                     core.bus_bits().to_string(),
                     core.address_bits().to_string(),
                     run.to_string(),

@@ -6,7 +6,7 @@ use crate::names::{core, hardware_method};
 use crate::outcome::Failure;
 use serde_json::{json, Value};
 use shadegate_gen::package::{rtl, PackageFile};
-use shadegate_gen::scene::drawable;
+use shadegate_gen::scene::{drawable, order_of, suited};
 use shadegate_gen::verilog::VerilogFile;
 use shadegate_reference::{scene, Method};
 use shadegate_testbench::cosim::{core_for, CosimError};
@@ -37,6 +37,9 @@ pub fn subject(a: &SynthArgs, size: Option<(u32, u32)>) -> Result<Subject, Failu
             let scene = scene::load(file).map_err(Failure::input)?;
             let method = hardware_method(a.method.as_deref(), None, scene.render.method)?;
             drawable(&scene).map_err(Failure::input)?;
+            if let Some(order) = order_of(method) {
+                suited(&scene, order).map_err(Failure::input)?;
+            }
             (method, (scene.image.width, scene.image.height))
         }
         (None, Some(name)) if name.ends_with(".toml") => {
@@ -55,7 +58,7 @@ pub fn subject(a: &SynthArgs, size: Option<(u32, u32)>) -> Result<Subject, Failu
         path: format!("rtl/{}", f.file_name()),
         text: f.text.clone(),
     };
-    let top = format!("{}_core", core.name());
+    let top = format!("{}_core", core.module());
     Ok(Subject {
         title: format!("{} core, {width}x{height}", core.name()),
         about: json!({

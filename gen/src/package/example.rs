@@ -1,5 +1,6 @@
 //! An integration example: a module that draws one triangle with the core, from words in a table.
 
+use super::timing::{cosines, material};
 use crate::stimulus::{build, StimulusError, StimulusOptions, Triangle};
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
@@ -17,7 +18,7 @@ fn triangle(order: Order, size: (u32, u32)) -> Triangle {
         [16.0, 224.0, 48.0],
         [48.0, 64.0, 255.0],
     ];
-    if order == Order::Quadratic {
+    if order != Order::Linear {
         knots.extend([
             [200.0, 180.0, 40.0],
             [220.0, 90.0, 200.0],
@@ -27,7 +28,8 @@ fn triangle(order: Order, size: (u32, u32)) -> Triangle {
     Triangle {
         position: [point(0, 0), point(size.0, 0), point(0, size.1)],
         depth: [50_000.0, 30_000.0, 20_000.0],
-        knots,
+        knots: cosines(order, knots),
+        material: material(order),
         label: "example".to_owned(),
     }
 }
@@ -52,7 +54,7 @@ pub fn example(
         .chain(stimulus.primitives.iter().flat_map(|p| &p.writes))
         .copied()
         .collect();
-    let (top, b) = (format!("{}_core", core.name()), core.bus_bits());
+    let (top, b) = (format!("{}_core", core.module()), core.bus_bits());
     let digits = b.div_ceil(4);
     let count = words.len();
     let mut table = String::new();

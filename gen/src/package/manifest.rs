@@ -104,9 +104,6 @@ impl Manifest {
     }
 }
 
-/// Clocks from the edge that takes `start` to the edge at which the first pixel can be taken, both cores.
-pub const LATENCY: u32 = 5;
-
 /// SHA-256 of a text, in hexadecimal digits.
 fn digest(text: &str) -> String {
     let hash = Sha256::digest(text.as_bytes());
@@ -149,14 +146,11 @@ pub fn manifest(
             description: s.doc.clone(),
         })
     });
-    let formats = BTreeMap::from([
-        (
-            "colour",
-            entry(
-                shadegate_hdl::shade::COLOUR_INTEGER_BITS,
-                core.fraction_bits(),
-            ),
-        ),
+    let own = core.formats();
+    let own = own
+        .iter()
+        .map(|(name, int, frac)| (*name, entry(*int, *frac)));
+    let shared = [
         (
             "depth",
             entry(
@@ -169,12 +163,13 @@ pub fn manifest(
             "edge_error",
             entry(shadegate_hdl::raster::ERROR_BITS - 1, 0),
         ),
-    ]);
+    ];
+    let formats: BTreeMap<_, _> = own.chain(shared).collect();
     let needed_kbit = core.pixels as f64 * 16.0 / 1024.0;
     let available_kbit = target.map(|t| t.device.block_ram_total_kbit());
     Manifest {
         core: core.name().to_string(),
-        top: format!("{}_core", core.name()),
+        top: format!("{}_core", core.module()),
         target: target.map(|t| t.part()),
         board: target.and_then(|t| t.board).map(|b| b.name.clone()),
         files: files.iter().map(|f| f.path.clone()).collect(),
@@ -183,7 +178,7 @@ pub fn manifest(
         registers: registers(core),
         wrappers,
         formats,
-        latency: LATENCY,
+        latency: core.latency(),
         error_bound_lsb: core.error_bound(longest_run(size.0, size.1).unwrap_or(u32::MAX)),
         frame: size,
         block_ram: BlockRam {

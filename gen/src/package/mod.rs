@@ -222,7 +222,7 @@ pub fn package_with(
     let (target, mut wrappers) = (options.target, options.wrappers.to_vec());
     wrappers.sort_unstable();
     wrappers.dedup();
-    let top = format!("{}_core", core.name());
+    let top = format!("{}_core", core.module());
     let stamp = stamp(&rtl.configuration);
     let paths = rtl.files.iter().map(|f| format!("rtl/{}", f.file_name()));
     let paths: Vec<String> = paths.collect();

@@ -1,10 +1,12 @@
 //! The register map of a core as data: for the manifest, the README and whoever writes a driver.
 
+mod material;
+
 use serde::Serialize;
 use shadegate_hdl::raster::{COLUMN_BITS, ERROR_BITS};
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
-use shadegate_hdl::shade::{COLOUR_INTEGER_BITS, DEPTH_FRACTION_BITS, DEPTH_INTEGER_BITS};
+use shadegate_hdl::shade::{DEPTH_FRACTION_BITS, DEPTH_INTEGER_BITS};
 
 /// A part of a register word.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -22,7 +24,7 @@ pub struct Field {
 pub struct Register {
     /// Select code that addresses this word alone: channel mask in bits 7 to 4, word number in bits 3 to 0.
     pub select: u8,
-    /// `shell`, `red`, `green`, `blue` or `depth`.
+    /// `shell`, `depth`, and `red`, `green`, `blue`, or `light`, `lobe`, `material`.
     pub target: &'static str,
     /// Word number.
     pub word: u8,
@@ -35,6 +37,7 @@ pub struct Register {
     /// What it means.
     pub meaning: &'static str,
     /// `triangle`: double-buffered, taken with `start`. `frame`: taken at once, written while the core is idle.
+    /// `material`: taken at once, written behind the fence.
     pub per: &'static str,
     /// Parts, high to low; empty where the word is one number.
     pub fields: Vec<Field>,
@@ -74,21 +77,18 @@ pub fn registers(core: &Core) -> Vec<Register> {
     let mut all = shell(core);
     let quadric = &QUADRIC[..];
     let plane = &PLANE[..];
-    let colour = match core.order {
-        Order::Linear => plane,
-        Order::Quadratic => quadric,
+    let colours = match core.order {
+        Order::Linear => &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, plane))[..],
+        Order::Quadratic => &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, quadric)),
+        Order::QuadraticDots => &[("light", 1), ("lobe", 2)].map(|c| (c, quadric)),
     };
-    let channels = [("red", 1), ("green", 2), ("blue", 4)];
-    for (target, mask) in channels {
-        let fraction = core.fraction_bits();
-        channel(
-            &mut all,
-            target,
-            mask,
-            colour,
-            COLOUR_INTEGER_BITS,
-            fraction,
-        );
+    let formats = core.formats();
+    for (i, ((target, mask), words)) in colours.iter().enumerate() {
+        let (_, int, frac) = formats[i.min(formats.len() - 1)];
+        channel(&mut all, target, *mask, words, int, frac);
+    }
+    if core.order == Order::QuadraticDots {
+        all.extend(material::registers());
     }
     channel(
         &mut all,

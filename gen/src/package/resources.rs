@@ -50,12 +50,18 @@ const GOURAUD: [Measured; 3] = [
     row("spartan-6", 1272, 1882, 76),
     row("spartan-7", 1288, 1882, 38),
 ];
+const QUADRATIC_DOTS: [Measured; 1] = [Measured {
+    dsp: 7,
+    ..row("spartan-7", 2136, 3295, 39)
+}];
 
 /// The estimate in a manifest.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Resources {
     /// Bits of the depth memory.
     pub depth_memory_bits: u64,
+    /// Multipliers that the description has, whatever they are made of.
+    pub multipliers: u32,
     /// Synthesiser of `measured`.
     pub tool: &'static str,
     /// By family; only the device's, if one is named. Null where this configuration was not measured.
@@ -66,14 +72,20 @@ pub struct Resources {
 #[must_use]
 pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Resources {
     let all = match core.order {
-        Order::Linear => GOURAUD,
-        Order::Quadratic => QUADRATIC,
+        Order::Linear => &GOURAUD[..],
+        Order::Quadratic => &QUADRATIC,
+        Order::QuadraticDots => &QUADRATIC_DOTS,
     };
     let rows: Vec<Measured> = all
-        .into_iter()
+        .iter()
+        .copied()
         .filter(|m| size == FRAME && device.is_none_or(|d| d.family == m.family))
         .collect();
     Resources {
+        multipliers: match core.order {
+            Order::Linear | Order::Quadratic => 0,
+            Order::QuadraticDots => 7,
+        },
         depth_memory_bits: core.pixels as u64 * 16,
         tool: TOOL,
         measured: Some(rows).filter(|r| !r.is_empty()),

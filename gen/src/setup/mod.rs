@@ -7,11 +7,13 @@
 //! does fit) comes out right. See `shadegate_hdl::shade::quadratic`.
 
 mod plane;
+mod power;
 mod quadric;
 mod rational;
 mod shell;
 
 pub use plane::plane_words;
+pub use power::{lobe_scale, power_words};
 pub use quadric::quadric_words;
 pub use rational::{fixed_knot, KNOT_FRACTION_BITS};
 pub use shell::{shell_words, MAX_COLUMN, MIN_COLUMN};

@@ -16,7 +16,7 @@ fn mangled(name: &str) -> String {
 /// its first clock, and the clock before which it ends.
 #[must_use]
 pub fn cxxrtl_main(core: &Core) -> String {
-    let name = core.name();
+    let name = core.module();
     let top = mangled(&format!("{name}_core"));
     let drive = drive(core, |port, value| {
         format!("core.{}.set<uint64_t>({value});", mangled(port))

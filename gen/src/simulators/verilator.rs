@@ -6,7 +6,7 @@ use shadegate_hdl::shade::device::Core;
 /// Text of `main.cpp`; `reset` says whether the core has one. Arguments: vector file, then optionally a file for the pixels (`x y red green blue` per line).
 #[must_use]
 pub fn main_cpp(core: &Core, reset: bool) -> String {
-    let name = core.name();
+    let name = core.module();
     let drive = drive(core, |port, value| format!("core.{port} = {value};"));
     let observe = observe(|port| format!("core.{port}"));
     program(&Device {

@@ -56,7 +56,7 @@ pub fn test_bench(core: &Core, reset: bool) -> String {
         connection,
         prologue,
     } = Reset::new(reset);
-    let name = core.name();
+    let name = core.module();
     let b = core.bus_bits();
     let top = b - 1;
     let inputs = b + 11;

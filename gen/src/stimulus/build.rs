@@ -1,5 +1,6 @@
 //! Register writes per triangle, and what need not be written.
 
+use super::material::Material;
 use crate::setup::{fixed_knot, plane_words, quadric_words, shell_words, Frame};
 use shadegate_hdl::raster::shell::FRAME_WIDTH;
 use shadegate_hdl::shade::device::Core;
@@ -15,7 +16,10 @@ pub struct Triangle {
     /// Depth at the corners, in depth words (0 to 65535, larger is nearer), not rounded.
     pub depth: [f64; 3],
     /// RGB knots in LSB: three for the Gouraud core, six (vertices, then mid-edges 01, 02, 12) for the quadratic core.
+    /// For the quadratic-dots core six of N·L, N·H and 0.
     pub knots: Vec<[f64; 3]>,
+    /// What cores take that shade per pixel, and others ignore.
+    pub material: Option<Material>,
     /// Where it comes from, for messages.
     pub label: String,
 }
@@ -74,7 +78,7 @@ pub struct StimulusError {
     pub what: String,
 }
 
-struct Writer<'a> {
+pub(super) struct Writer<'a> {
     options: &'a StimulusOptions,
     /// Last word written, by select code of a single target.
     held: std::collections::HashMap<u8, u64>,
@@ -83,7 +87,7 @@ struct Writer<'a> {
 
 impl Writer<'_> {
     /// Whether this word must be sent to this single target.
-    fn needed(&mut self, target: u8, data: u64) -> bool {
+    pub(super) fn needed(&mut self, target: u8, data: u64) -> bool {
         let old = self.held.insert(target, data);
         let needed = !self.options.skip_unchanged || old != Some(data);
         self.out.skipped_unchanged += u64::from(!needed);
@@ -180,6 +184,7 @@ fn channel_words(
             }
             w.colours(&c, writes);
         }
+        Order::QuadraticDots => w.dots(core, t, &frame, writes)?,
     }
     for (word, data) in depth_words(t, &frame)?.into_iter().enumerate() {
         let target = 0x80 | word as u8;

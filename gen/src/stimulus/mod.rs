@@ -2,8 +2,10 @@
 
 mod build;
 mod host;
+mod material;
 mod sample;
 
 pub use build::{build, Primitive, Stimulus, StimulusError, StimulusOptions, Triangle};
 pub use host::{Host, Step};
+pub use material::Material;
 pub use sample::sample_triangles;

@@ -1,6 +1,6 @@
 //! Triangles for a core that is generated without a scene: enough to exercise every register and every case of the walk.
 
-use super::Triangle;
+use super::{Material, Triangle};
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::raster::{Point, Viewport, SUBPIXELS};
 
@@ -18,6 +18,22 @@ impl Draw {
     }
 }
 
+/// Materials of the first and the second half of the triangles.
+const MATERIALS: [Material; 2] = [
+    Material {
+        ambient: [20.0, 13.0, 15.0],
+        diffuse: [160.0, 70.0, 50.0],
+        specular: [110.0, 100.0, 105.0],
+        shininess: 20.0,
+    },
+    Material {
+        ambient: [4.0, 6.0, 20.0],
+        diffuse: [30.0, 60.0, 120.0],
+        specular: [255.0, 240.0, 200.0],
+        shininess: 90.5,
+    },
+];
+
 /// `count` triangles of mixed size and shape in (and a little around) the frame: both orientations, level edges,
 /// slivers, single pixels, shared corners, overlapping depths.
 #[must_use]
@@ -30,6 +46,8 @@ pub fn sample_triangles(
     let mut draw = Draw(seed);
     let (w, h) = (u64::from(viewport.width), u64::from(viewport.height));
     let sub = SUBPIXELS as u64;
+    let material =
+        |i: usize| (order == Order::QuadraticDots).then(|| MATERIALS[2 * i / count.max(1)]);
     let knots = if order == Order::Linear { 3 } else { 6 };
     let mut out: Vec<Triangle> = vec![];
     for i in 0..count {
@@ -54,13 +72,20 @@ pub fn sample_triangles(
             _ => {}
         }
         let depth = std::array::from_fn(|_| draw.below(65_536) as f64);
-        let knots = (0..knots)
-            .map(|_| std::array::from_fn(|_| draw.below(256) as f64))
-            .collect();
+        let mut knot = |_| {
+            let at = std::array::from_fn(|_| draw.below(256) as f64);
+            match order {
+                Order::Linear | Order::Quadratic => at,
+                // Cosines from -0.5 to 1.
+                Order::QuadraticDots => [at[0] / 170.0 - 0.5, at[1] / 170.0 - 0.5, 0.0],
+            }
+        };
+        let knots = (0..knots).map(&mut knot).collect();
         out.push(Triangle {
             position,
             depth,
             knots,
+            material: material(i),
             label: format!("sample {i}"),
         });
     }

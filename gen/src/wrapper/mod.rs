@@ -128,7 +128,7 @@ pub fn files(
         return vec![];
     }
     let c = Context {
-        top: format!("{}_core", core.name()),
+        top: format!("{}_core", core.module()),
         bus_bits: core.bus_bits(),
         stamp: stamp.to_owned(),
         reset,

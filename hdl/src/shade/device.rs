@@ -4,8 +4,12 @@
 //! word lengths per core, told apart by how far an accumulator can run in a frame (see [`longest_run`]).
 
 use super::gouraud::GouraudCore;
-use super::model::{CoreInputs, CoreModel, CoreOutputs, Order};
+use super::model::{bus_bits, CoreInputs, CoreModel, CoreOutputs, Order};
+use super::phong::power::{PLACE_FRACTION_BITS, PLACE_INTEGER_BITS, STEEPEST};
+use super::phong::{ERROR_LSB, LIGHT_FRACTION_BITS, LIGHT_INTEGER_BITS, STAGES};
 use super::quadratic::QuadraticCore;
+use super::quadratic_dots::QuadraticDotsCore;
+use super::COLOUR_INTEGER_BITS;
 use crate::format::U;
 use crate::simulate::{Clocked, Simulator};
 use rust_hdl_core::prelude::*;
@@ -18,6 +22,10 @@ pub type QuadraticWide = QuadraticCore<36, 24, 36, 21>;
 pub type GouraudNarrow = GouraudCore<24, 12, 32, 17>;
 /// Gouraud core with Q11.14 colours, 32-bit bus, 2^21 frame addresses.
 pub type GouraudWide = GouraudCore<26, 14, 32, 21>;
+/// Quadratic-dots core with N·L in Q2.31 and the place in the lobe in Q10.34, 45-bit bus, 2^17 frame addresses.
+pub type QuadraticDotsNarrow = QuadraticDotsCore<15, 45, 17>;
+/// Quadratic-dots core with N·L in Q2.35 and the place in the lobe in Q10.38, 49-bit bus, 2^21 frame addresses.
+pub type QuadraticDotsWide = QuadraticDotsCore<19, 49, 21>;
 
 /// Longest run of the narrow formats.
 pub const NARROW_RUN: u32 = 1023;
@@ -71,10 +79,30 @@ impl Core {
         match self.order {
             Order::Linear => "gouraud",
             Order::Quadratic => "quadratic",
+            Order::QuadraticDots => "quadratic-dots",
         }
     }
 
-    /// Fraction bits of a colour word.
+    /// The name as a Verilog identifier: that of the top module without `_core`.
+    #[must_use]
+    pub fn module(&self) -> String {
+        self.name().replace('-', "_")
+    }
+
+    /// What the interpolants hold beside depth: names, integer bits, fraction bits.
+    #[must_use]
+    pub fn formats(&self) -> Vec<(&'static str, usize, usize)> {
+        let n = self.fraction_bits();
+        match self.order {
+            Order::Linear | Order::Quadratic => vec![("colour", COLOUR_INTEGER_BITS, n)],
+            Order::QuadraticDots => vec![
+                ("light", LIGHT_INTEGER_BITS, LIGHT_FRACTION_BITS + n),
+                ("lobe", PLACE_INTEGER_BITS, PLACE_FRACTION_BITS + n),
+            ],
+        }
+    }
+
+    /// Fraction bits of an interpolant below the units of what follows it: of a colour word below one LSB.
     #[must_use]
     pub fn fraction_bits(&self) -> usize {
         match (self.order, self.wide) {
@@ -82,13 +110,24 @@ impl Core {
             (Order::Quadratic, true) => 24,
             (Order::Linear, false) => 12,
             (Order::Linear, true) => 14,
+            (Order::QuadraticDots, false) => 15,
+            (Order::QuadraticDots, true) => 19,
+        }
+    }
+
+    /// Clocks from the edge that takes `start` to the edge at which the first pixel can be taken, in an idle core.
+    #[must_use]
+    pub fn latency(&self) -> u32 {
+        5 + match self.order {
+            Order::Linear | Order::Quadratic => 0,
+            Order::QuadraticDots => STAGES as u32,
         }
     }
 
     /// Width of the register bus.
     #[must_use]
     pub fn bus_bits(&self) -> usize {
-        (12 + self.fraction_bits()).max(32)
+        bus_bits(self.order, self.fraction_bits())
     }
 
     /// Width of a frame address.
@@ -102,15 +141,24 @@ impl Core {
     }
 
     /// Largest arithmetic error of a colour before the final rounding, in LSB, for runs of up to `run` additions
-    /// (lines + carries + pixels): words are rounded to nearest, sums are exact.
+    /// (lines + carries + pixels): words are rounded to nearest, sums are exact. Cores that shade per pixel: for colours
+    /// of the diffuse reflection and the highlight of at most 255 LSB.
     #[must_use]
     pub fn error_bound(&self, run: u32) -> f64 {
         let n = f64::from(run);
         let words = match self.order {
             Order::Linear => 1.0 + n,
-            Order::Quadratic => 1.0 + n * (n + 1.0) / 2.0,
+            Order::Quadratic | Order::QuadraticDots => 1.0 + n * (n + 1.0) / 2.0,
         };
-        words / 2f64.powi(self.fraction_bits() as i32 + 1)
+        let unit = words / 2f64.powi(self.fraction_bits() as i32 + 1);
+        match self.order {
+            Order::Linear | Order::Quadratic => unit,
+            Order::QuadraticDots => {
+                let light = 2f64.powi(-(LIGHT_FRACTION_BITS as i32));
+                let lobe = STEEPEST * 2f64.powi(-(PLACE_FRACTION_BITS as i32));
+                255.0 * unit * (light + lobe) + ERROR_LSB
+            }
+        }
     }
 
     /// Integer model of the core.
@@ -131,6 +179,8 @@ impl Core {
             (Order::Quadratic, true) => f.visit(QuadraticWide::new(self.pixels)),
             (Order::Linear, false) => f.visit(GouraudNarrow::new(self.pixels)),
             (Order::Linear, true) => f.visit(GouraudWide::new(self.pixels)),
+            (Order::QuadraticDots, false) => f.visit(QuadraticDotsNarrow::new(self.pixels)),
+            (Order::QuadraticDots, true) => f.visit(QuadraticDotsWide::new(self.pixels)),
         }
     }
 }
@@ -150,10 +200,8 @@ pub trait CorePorts {
 }
 
 macro_rules! core_ports {
-    ($type:ident) => {
-        impl<const D: usize, const N: usize, const B: usize, const A: usize> CorePorts
-            for $type<D, N, B, A>
-        {
+    ($type:ident, $($n:ident),+) => {
+        impl<$(const $n: usize),+> CorePorts for $type<$($n),+> {
             fn set(&mut self, i: &CoreInputs) {
                 self.write.next = i.write;
                 self.select.next = U::new(u64::from(i.select));
@@ -183,8 +231,9 @@ macro_rules! core_ports {
         }
     };
 }
-core_ports!(QuadraticCore);
-core_ports!(GouraudCore);
+core_ports!(QuadraticCore, D, N, B, A);
+core_ports!(GouraudCore, D, N, B, A);
+core_ports!(QuadraticDotsCore, N, B, A);
 
 /// A core's description under simulation.
 pub struct CoreSimulator(Box<dyn Engine>);

@@ -3,8 +3,10 @@
 pub mod device;
 pub mod gouraud;
 pub mod model;
+pub mod phong;
 pub mod pixel_stream;
 pub mod quadratic;
+pub mod quadratic_dots;
 pub mod saturate;
 
 /// Integer bits of a colour word: ±2048 LSB holds a six-knot colour of knots in 0..=1530.

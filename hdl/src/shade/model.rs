@@ -1,5 +1,8 @@
 //! Integer model of a whole core, clock by clock: what the description must do, in plain integers.
 
+use super::phong::model::{DelayModel, Fragment, PhongModel};
+use super::phong::power::{PLACE_FRACTION_BITS, PLACE_INTEGER_BITS};
+use super::phong::{FENCE_WORD, LIGHT_FRACTION_BITS, LIGHT_INTEGER_BITS, STAGES};
 use super::saturate::saturate_model;
 use super::{COLOUR_INTEGER_BITS, DEPTH_BIAS, DEPTH_FRACTION_BITS, DEPTH_INTEGER_BITS};
 use crate::depth::z_buffer::{ZBufferInputs, ZBufferModel};
@@ -15,6 +18,8 @@ pub enum Order {
     Linear,
     /// Quadrics: the quadratic core.
     Quadratic,
+    /// Quadrics of two cosines, the reflection model per pixel: the quadratic-dots core.
+    QuadraticDots,
 }
 
 /// What a core sees in one clock.
@@ -86,13 +91,59 @@ struct Pixel {
     depth: u16,
 }
 
+/// What cores have that shade per pixel: stages between the interpolants and the pixel stream, and a fence.
+#[derive(Clone, Debug)]
+struct Reflection {
+    colour: PhongModel,
+    delay: DelayModel,
+    draining: bool,
+}
+
+impl Reflection {
+    fn of(order: Order) -> Option<Self> {
+        let stages = match order {
+            Order::Linear | Order::Quadratic => return None,
+            Order::QuadraticDots => STAGES,
+        };
+        Some(Self {
+            colour: PhongModel::default(),
+            delay: DelayModel::new(stages),
+            draining: false,
+        })
+    }
+}
+
+/// Width of the register bus of a core whose interpolants have `fraction_bits`.
+#[must_use]
+pub fn bus_bits(order: Order, fraction_bits: usize) -> usize {
+    interpolant_bits(order, fraction_bits)
+        .into_iter()
+        .fold(32, usize::max)
+}
+
+/// Widths of a core's three interpolants beside depth.
+fn interpolant_bits(order: Order, fraction_bits: usize) -> [usize; 3] {
+    match order {
+        Order::Linear | Order::Quadratic => [1 + COLOUR_INTEGER_BITS + fraction_bits; 3],
+        Order::QuadraticDots => [
+            1 + LIGHT_INTEGER_BITS + LIGHT_FRACTION_BITS + fraction_bits,
+            1 + PLACE_INTEGER_BITS + PLACE_FRACTION_BITS + fraction_bits,
+            // Its words belong to the material.
+            1,
+        ],
+    }
+}
+
 /// State of a core.
 #[derive(Clone, Debug)]
 pub struct CoreModel {
     fraction_bits: usize,
     bus_bits: usize,
     shell: ShellModel,
+    /// Widths of the interpolants.
+    widths: [usize; 3],
     colour: [Channel; 3],
+    reflection: Option<Reflection>,
     depth: Linear2Model,
     z_buffer: ZBufferModel,
     drawn: Pixel,
@@ -107,13 +158,17 @@ impl CoreModel {
     pub fn new(order: Order, fraction_bits: usize, address_bits: usize, pixels: usize) -> Self {
         let channel = match order {
             Order::Linear => Channel::Linear(Linear2Model::default()),
-            Order::Quadratic => Channel::Quadratic(Quadratic2Model::default()),
+            Order::Quadratic | Order::QuadraticDots => {
+                Channel::Quadratic(Quadratic2Model::default())
+            }
         };
         Self {
             fraction_bits,
-            bus_bits: (1 + COLOUR_INTEGER_BITS + fraction_bits).max(32),
+            bus_bits: bus_bits(order, fraction_bits),
             shell: ShellModel::new(address_bits),
+            widths: interpolant_bits(order, fraction_bits),
             colour: [channel; 3],
+            reflection: Reflection::of(order),
             depth: Linear2Model::default(),
             z_buffer: ZBufferModel::new(address_bits, pixels),
             drawn: Pixel::default(),
@@ -127,15 +182,28 @@ impl CoreModel {
         let word = usize::from(i.select & 15);
         let data = i.data & mask(self.bus_bits);
         ShellInputs {
-            write: (i.write && i.select >> 4 == 0).then_some((word, data & mask(32))),
-            start: i.start,
+            write: (i.write && i.select >> 4 == 0 && !self.draining())
+                .then_some((word, data & mask(32))),
+            start: i.start && !self.draining(),
             hold: self.z_buffer.clearing(),
             go: !self.out_valid || i.ready,
         }
     }
 
+    fn draining(&self) -> bool {
+        self.reflection.as_ref().is_some_and(|r| r.draining)
+    }
+
+    /// A triangle is waiting or being walked, or a pixel has no colour yet.
+    fn walking(&self, shell_busy: bool) -> bool {
+        shell_busy || self.reflection.as_ref().is_some_and(|r| r.delay.busy())
+    }
+
     fn busy(&self, shell_busy: bool) -> bool {
-        shell_busy || self.z_buffer.waiting || self.z_buffer.clearing() || self.out_valid
+        self.walking(shell_busy)
+            || self.z_buffer.waiting
+            || self.z_buffer.clearing()
+            || self.out_valid
     }
 
     /// The outputs of the current state.
@@ -144,7 +212,7 @@ impl CoreModel {
         let shell = self.shell.outputs(&ShellInputs::default());
         let busy = self.busy(shell.busy);
         CoreOutputs {
-            load_ready: shell.load_ready,
+            load_ready: shell.load_ready && !self.draining(),
             valid: self.out_valid,
             x: self.out.x as u16,
             y: self.out.y as u16,
@@ -174,42 +242,60 @@ impl CoreModel {
         let so = self.shell.outputs(&si);
         let busy = self.busy(so.busy);
         let go = si.go;
-        let colour_bits = 1 + COLOUR_INTEGER_BITS + self.fraction_bits;
         let depth_bits = 1 + DEPTH_INTEGER_BITS + DEPTH_FRACTION_BITS;
-        // The stages behind the pixel registers, last one first.
-        let fragment_depth = ((self.depth.value() >> DEPTH_FRACTION_BITS) + DEPTH_BIAS) as u16;
+        let accept = i.write && so.load_ready && !self.draining();
+        let word = usize::from(i.select & 15);
+        let write = |channel: usize| {
+            (accept && i.select >> (4 + channel) & 1 == 1).then_some((word, i.data))
+        };
+        let walked = Fragment {
+            valid: so.fragment,
+            ordinal: so.ordinal,
+            x: so.x,
+            y: so.y,
+            address: so.address,
+            depth: ((self.depth.value() >> DEPTH_FRACTION_BITS) + DEPTH_BIAS) as u16,
+        };
+        let values = self.colour.map(|c| c.value() >> self.fraction_bits);
+        let walking = self.walking(so.busy);
+        let (arrived, levels) = match &mut self.reflection {
+            None => (walked, values),
+            Some(r) => {
+                let late = (r.delay.last().unwrap_or(walked), r.colour.levels());
+                r.colour.clock(write(2), go, values[0], values[1]);
+                if go {
+                    r.delay.shift(walked);
+                }
+                let fence = accept && i.select >> 4 == 0 && word == FENCE_WORD;
+                r.draining = fence || (r.draining && walking);
+                late
+            }
+        };
+        // The stages of the pixel stream, last one first.
         if go {
             self.out_valid = self.z_buffer.pass();
             self.out = Pixel {
                 depth: self.z_buffer.depth,
                 ..self.drawn
             };
-            let rgb = self
-                .colour
-                .map(|c| saturate_model(c.value() >> self.fraction_bits));
             self.drawn = Pixel {
-                ordinal: so.ordinal,
-                x: so.x,
-                y: so.y,
-                rgb,
+                ordinal: arrived.ordinal,
+                x: arrived.x,
+                y: arrived.y,
+                rgb: levels.map(saturate_model),
                 depth: 0,
             };
         }
         self.z_buffer.clock(&ZBufferInputs {
             go,
             clear: i.clear && !busy,
-            fragment: so.fragment,
-            address: so.address,
-            depth: fragment_depth,
+            fragment: arrived.valid,
+            address: arrived.address,
+            depth: arrived.depth,
         });
         // Interpolants.
-        let accept = i.write && so.load_ready;
-        let word = usize::from(i.select & 15);
-        let write = |channel: usize| {
-            (accept && i.select >> (4 + channel) & 1 == 1).then_some((word, i.data))
-        };
-        for (channel, model) in self.colour.iter_mut().enumerate() {
-            model.clock(colour_bits, write(channel), so.controls);
+        for (channel, (model, width)) in self.colour.iter_mut().zip(self.widths).enumerate() {
+            model.clock(width, write(channel), so.controls);
         }
         self.depth.clock(depth_bits, write(3), so.controls);
         self.shell.clock(&si);

@@ -1,6 +1,6 @@
 //! A core under simulation, a host that writes whenever it may, and what comes out.
 
-use super::Triangle;
+use super::{material, Triangle};
 use shadegate_hdl::shade::device::{Core, CoreSimulator};
 use shadegate_hdl::shade::model::{CoreInputs, CoreOutputs, Order};
 use shadegate_reference::raster::Viewport;
@@ -62,12 +62,22 @@ impl Machine {
     pub fn new(order: Order, width: u32, height: u32) -> Self {
         let kind = Core::for_frame(order, width, height).unwrap();
         let mut core = CoreSimulator::new(kind).unwrap();
-        core.clock(&CoreInputs {
-            write: true,
-            select: 11,
-            data: u64::from(width),
-            ..CoreInputs::default()
-        });
+        let mut write = |select, data| {
+            core.clock(&CoreInputs {
+                write: core.outputs().load_ready,
+                select,
+                data,
+                ..CoreInputs::default()
+            });
+        };
+        write(11, u64::from(width));
+        for (select, data) in material::writes(order) {
+            write(select, data);
+            if select == 12 {
+                // The fence of an idle core takes a clock.
+                write(select, data);
+            }
+        }
         Self {
             core,
             kind,

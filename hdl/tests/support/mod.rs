@@ -2,6 +2,7 @@
 #![allow(dead_code, unused_imports)]
 
 mod machine;
+mod material;
 
 pub use machine::{check_done, taken, Machine, Pixel};
 
@@ -54,7 +55,8 @@ pub fn depth_code(depth: u16) -> i64 {
 pub struct Triangle {
     /// Corners in 1/256 pixel.
     pub corners: [Point; 3],
-    /// Red, green, blue in codes of the core's colour format.
+    /// Red, green, blue in codes of the core's colour format; N·L, place in the lobe and nothing for a core that shades
+    /// per pixel.
     pub colour: [Polynomial; 3],
     /// Depth in codes of the core's depth format, see [`depth_code`].
     pub depth: Polynomial,
@@ -97,10 +99,10 @@ impl Triangle {
         let channels = [self.colour[0], self.colour[1], self.colour[2], self.depth];
         for (channel, polynomial) in channels.iter().enumerate() {
             let words = polynomial.words(x, i64::from(w.first_row), steps);
-            let count = if order == Order::Quadratic && channel < 3 {
-                10
-            } else {
-                4
+            let count = match (order, channel) {
+                (Order::QuadraticDots, 2) => 0,
+                (Order::Quadratic | Order::QuadraticDots, 0..=2) => 10,
+                _ => 4,
             };
             let select = |i: u8| 16 << channel | i;
             writes.extend((0..count).map(|i| (select(i), words[usize::from(i)] as u64)));
@@ -137,12 +139,17 @@ impl Triangle {
     pub fn drawn(&self, kind: Core, size: Viewport) -> Vec<Pixel> {
         let shade = |(x, y): (u16, u16)| {
             let (column, row) = (i64::from(x), i64::from(y));
+            let values = self
+                .colour
+                .map(|c| c.at(column, row) >> kind.fraction_bits());
+            let levels = match kind.order {
+                Order::Linear | Order::Quadratic => values,
+                Order::QuadraticDots => [0, 1, 2].map(|c| material::level(c, values[0], values[1])),
+            };
             Pixel {
                 x,
                 y,
-                rgb: self
-                    .colour
-                    .map(|c| saturate_model(c.at(column, row) >> kind.fraction_bits())),
+                rgb: levels.map(saturate_model),
                 depth: ((self.depth.at(column, row) >> DEPTH_FRACTION_BITS) + DEPTH_BIAS) as u16,
             }
         };
@@ -162,10 +169,14 @@ pub fn random_triangles(
     mut wanted: impl FnMut(&Triangle) -> bool,
 ) -> Vec<Triangle> {
     let unit = 1i64 << kind.fraction_bits();
-    let bend = if kind.order == Order::Quadratic {
-        unit / 32
-    } else {
-        0
+    let bend = |unit: i64| match kind.order {
+        Order::Linear => 0,
+        Order::Quadratic | Order::QuadraticDots => unit / 32,
+    };
+    // What a step of 8-bit colour is to an interpolant.
+    let units = match kind.order {
+        Order::Linear | Order::Quadratic => [unit; 3],
+        Order::QuadraticDots => [unit << (16 - 8), unit << (19 - 8), 0],
     };
     let mut out: Vec<Triangle> = vec![];
     for _ in 0..1_000_000 {
@@ -177,13 +188,14 @@ pub fn random_triangles(
             y: r.random_range(rows.start * 256..rows.end * 256),
         };
         let corners = [corner(), corner(), corner()];
-        let mut colour = || {
+        let mut colour = |unit: i64| {
+            let bend = bend(unit);
             let mut slope = |limit: i64| r.random_range(-limit..=limit);
             let [a, b] = [slope(2 * unit), slope(2 * unit)];
             let [d, e, f] = [slope(bend), slope(bend), slope(bend)];
-            Polynomial([r.random_range(0..256 * unit), a, b, d, e, f])
+            Polynomial([r.random_range(0..=255 * unit), a, b, d, e, f])
         };
-        let colour = [colour(), colour(), colour()];
+        let colour = units.map(&mut colour);
         let depth = 1000 + 60_000 / count * out.len();
         let triangle = Triangle {
             corners,

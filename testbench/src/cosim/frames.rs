@@ -1,6 +1,7 @@
 //! Frames from pixel streams, and the arithmetic error of every pixel that a core hands over.
 
 use super::Prelude;
+use shadegate_gen::stimulus::Triangle;
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::{shade, to_byte, Prepared};
 
@@ -59,6 +60,20 @@ pub struct FragmentError {
     pub rms_lsb: f64,
 }
 
+/// The reflection model in f64: one light, from N·L and N·H.
+fn reflected(t: &Triangle, [light, half, _]: [f64; 3]) -> [f64; 3] {
+    let Some(m) = &t.material else {
+        return [0.0; 3];
+    };
+    let power = match half {
+        h if h > 0.0 => h.min(1.0).powf(m.shininess),
+        _ => 0.0,
+    };
+    std::array::from_fn(|c| {
+        m.ambient[c] + m.diffuse[c] * light.clamp(0.0, 1.0) + m.specular[c] * power
+    })
+}
+
 /// Compares every pixel handed over (also those that nearer ones replace later) with the f64 oracle.
 pub fn fragment_error(p: &Prelude) -> FragmentError {
     let mut out = FragmentError::default();
@@ -74,6 +89,11 @@ pub fn fragment_error(p: &Prelude) -> FragmentError {
             Order::Quadratic => {
                 let knots: [[f64; 3]; 6] = std::array::from_fn(|i| t.knots[i]);
                 shade::quadratic::value(&t.position, &knots, x, y)
+            }
+            Order::QuadraticDots => {
+                let knots: [[f64; 3]; 6] = std::array::from_fn(|i| t.knots[i]);
+                let cosines = shade::quadratic::value(&t.position, &knots, x, y);
+                reflected(t, cosines)
             }
         };
         for (want, got) in value.into_iter().zip(pixel.rgb) {

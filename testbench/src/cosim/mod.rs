@@ -10,7 +10,7 @@ use crate::compare::{compare, Rgb8Ref};
 use crate::engine::{run, Engine, EngineError, Wave};
 use frames::Frames;
 use shadegate_gen::package::{package, rtl, Package, PackageError};
-use shadegate_gen::scene::{drawable, method_of, order_of, triangles, Undrawable};
+use shadegate_gen::scene::{drawable, order_of, suited, triangles_of, Undrawable, Unsuited, CORES};
 use shadegate_gen::stimulus::{build, StimulusError, StimulusOptions};
 use shadegate_gen::vectors::Trace;
 use shadegate_gen::write::WriteError;
@@ -50,8 +50,11 @@ pub enum CosimError {
     /// The scene has something that no core draws.
     #[error(transparent)]
     Undrawable(#[from] Undrawable),
+    /// The scene has lights or materials that this core does not draw.
+    #[error(transparent)]
+    Unsuited(#[from] Unsuited),
     /// The method has no core.
-    #[error("method '{0}' has no core; methods with a core: gouraud, quadratic")]
+    #[error("method '{0}' has no core; cores: {cores}", cores = CORES.map(|c| c.0).join(", "))]
     NoCore(Method),
     /// Edges instead of faces.
     #[error("object[{0}] of the scene is a wireframe, which no core draws; expected draw = 'shaded' for every object")]
@@ -132,8 +135,9 @@ pub fn prelude(
     let core = core_for(method, width, height)?;
     refuse(scene)?;
     drawable(scene)?;
+    suited(scene, core.order)?;
     let prepared = Prepared::new(scene, Some((width, height)), &Skips::all())?;
-    let triangles = triangles(&prepared, core.order);
+    let triangles = triangles_of(&prepared, method);
     let stimulus = build(&core, &triangles, Viewport { width, height }, stimulus)?;
     let setup_ns = begin.elapsed().as_nanos() as u64;
     let trace = Trace::record(core, &stimulus, |_| true);
@@ -179,11 +183,7 @@ pub fn cosim(scene: &Scene, o: &CosimOptions) -> Result<CosimReport, CosimError>
     )?;
     let begin = Instant::now();
     let expected: Vec<_> = p.trace.pixels.iter().map(|x| (x.x, x.y, x.rgb)).collect();
-    let (method_frame, _) = render(
-        &p.prepared,
-        method_of(p.trace.core.order),
-        &RenderOptions::default(),
-    );
+    let (method_frame, _) = render(&p.prepared, o.method, &RenderOptions::default());
     let (exact_frame, _) = render(&p.prepared, Method::Exact, &RenderOptions::default());
     let frames = Frames::new(
         &p.prepared,

@@ -8,7 +8,7 @@ use serde::Serialize;
 use shadegate_gen::stimulus::Stimulus;
 use shadegate_gen::vectors::Trace;
 use shadegate_hdl::shade::device::longest_run;
-use shadegate_hdl::shade::{COLOUR_INTEGER_BITS, DEPTH_FRACTION_BITS, DEPTH_INTEGER_BITS};
+use shadegate_hdl::shade::{DEPTH_FRACTION_BITS, DEPTH_INTEGER_BITS};
 use std::collections::BTreeMap;
 
 /// Error of one frame against another.
@@ -214,6 +214,8 @@ impl CosimReport {
         let (width, height) = (p.prepared.width, p.prepared.height);
         let pixels = i.run.pixels.len() as u64;
         let format = |int, frac| FormatReport { int, frac };
+        let own = core.formats().into_iter();
+        let own = own.map(|(name, int, frac)| (name, format(int, frac)));
         Self {
             scene: i.scene_name.to_string(),
             method: i.options.method.to_string(),
@@ -239,10 +241,9 @@ impl CosimReport {
                 ("rms_lsb", i.fragments.rms_lsb),
             ]),
             error_bound_lsb: core.error_bound(longest_run(width, height).unwrap_or(u32::MAX)),
-            formats: BTreeMap::from([
-                ("colour", format(COLOUR_INTEGER_BITS, core.fraction_bits())),
-                ("depth", format(DEPTH_INTEGER_BITS, DEPTH_FRACTION_BITS)),
-            ]),
+            formats: own
+                .chain([("depth", format(DEPTH_INTEGER_BITS, DEPTH_FRACTION_BITS))])
+                .collect(),
             host: p.host.clone(),
             time_ns: TimeReport {
                 setup: p.setup_ns,

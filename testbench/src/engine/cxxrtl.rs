@@ -25,7 +25,7 @@ impl Recipe {
     fn new(trace: &Trace, package: &[PackageFile], visible: bool) -> Self {
         let sources = rtl_paths(package).collect::<Vec<_>>().join(" ");
         let debug = if visible { "-g4" } else { "-g0" };
-        let top = format!("{}_core", trace.core.name());
+        let top = format!("{}_core", trace.core.module());
         Self {
             script: format!(
                 "read_verilog {sources}; hierarchy -check -top {top}; write_cxxrtl {debug} core.cpp"

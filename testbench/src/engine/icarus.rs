@@ -18,7 +18,7 @@ pub fn run(
     wave: Option<&Wave>,
 ) -> Result<Run, EngineError> {
     unpack(ENGINE, package, scratch)?;
-    let core = trace.core.name();
+    let core = trace.core.module();
     let begin = Instant::now();
     let mut compile = Command::new("iverilog");
     compile

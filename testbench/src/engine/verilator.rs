@@ -79,7 +79,7 @@ pub fn run(
         keep: true,
     };
     let built = entry(wanted, scratch, failed, |into| {
-        build(trace.core.name(), package, scratch, into)
+        build(&trace.core.module(), package, scratch, into)
     })?;
     let build_ns = begin.elapsed().as_nanos() as u64;
     let binary = built.directory.join("simulation");

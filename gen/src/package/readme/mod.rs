@@ -15,6 +15,9 @@ pub fn readme(m: &Manifest, core: &Core, target: Option<Target>, example: &str) 
     let colour = match core.order {
         Order::Linear => "a plane through three vertex colours",
         Order::Quadratic => "a quadric through six colours, at vertices and mid-edges",
+        Order::QuadraticDots => {
+            "quadrics of N·L and N·H through six knots, and the light that the material reflects per pixel"
+        }
     };
     let place = match (&m.target, &m.board) {
         (Some(part), Some(board)) => {

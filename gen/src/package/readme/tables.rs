@@ -57,9 +57,14 @@ pub fn ports(m: &Manifest) -> String {
 
 /// The register map: shell words by field, channel words once for all channels of a kind.
 pub fn registers(m: &Manifest) -> String {
-    let mut out = String::from(
+    let has = |target: &str| m.registers.iter().any(|r| r.target == target);
+    let mask = match has("material") {
+        false => "bit 4 red, bit 5 green, bit 6 blue, bit 7 depth",
+        true => "bit 4 light, bit 5 lobe, bit 6 material, bit 7 depth",
+    };
+    let mut out = format!(
         "## Registers\n\n\
-         `select[7:4]` is a mask: bit 4 red, bit 5 green, bit 6 blue, bit 7 depth; zero selects the shell, which holds \
+         `select[7:4]` is a mask: {mask}; zero selects the shell, which holds \
          the edges. `select[3:0]` is the word. One write goes to every channel in the mask. A word is taken while \
          `load_ready` is high; words per triangle are double-buffered, and those that have not changed need not be \
          written again.\n\n\
@@ -86,8 +91,18 @@ pub fn registers(m: &Manifest) -> String {
     }
     for (title, target, selects) in [
         ("Red, green, blue", "red", [1, 2, 4].as_slice()),
+        ("Light: N·L in units of 2^-16", "light", &[1]),
+        (
+            "Lobe: (1 - N·H)·2^s in units of 2^-19, see the power table",
+            "lobe",
+            &[2],
+        ),
+        ("Material", "material", &[4]),
         ("Depth", "depth", &[8]),
     ] {
+        if !has(target) {
+            continue;
+        }
         let _ = write!(
             out,
             "\n### {title}\n\n| select | word | format | bits | content | per |\n|---|---|---|---:|---|---|\n"
@@ -95,6 +110,14 @@ pub fn registers(m: &Manifest) -> String {
         for r in m.registers.iter().filter(|r| r.target == target) {
             let _ = writeln!(out, "{}", channel_row(r, selects));
         }
+    }
+    if has("material") {
+        out.push_str(
+            "\nThe words of a material are not double-buffered: write the fence first, then what differs from the \
+             material before. The power table holds hⁿ over t = (1 - h)·2^s from 0 to 1 in 512 intervals, s the largest \
+             of 0 to 7 with (1 - 2^(-14/n))·2^s <= 1; it is written from interval 0 on. A material without a highlight \
+             needs no table.\n",
+        );
     }
     out.push_str(
         "\np is the step of one pixel along the span, s the step from one span start to the next, t = s + p that step \
@@ -167,8 +190,12 @@ pub fn wrappers(m: &Manifest) -> String {
 pub fn resources(m: &Manifest) -> String {
     let r = &m.resources;
     let memory = format!(
-        "The depth memory holds {} bits, 16 per pixel. No multiplier is used.\n",
-        r.depth_memory_bits
+        "The depth memory holds {} bits, 16 per pixel. {}\n",
+        r.depth_memory_bits,
+        match r.multipliers {
+            0 => "No multiplier is used.".to_owned(),
+            n => format!("{n} multipliers and one block RAM for the power table come on top."),
+        }
     );
     let Some(measured) = &r.measured else {
         return format!(

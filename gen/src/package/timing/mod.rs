@@ -10,7 +10,7 @@ mod wavedrom;
 pub use svg::svg;
 pub use wavedrom::wavedrom;
 
-use crate::stimulus::{build, Stimulus, StimulusError, StimulusOptions, Triangle};
+use crate::stimulus::{build, Material, Stimulus, StimulusError, StimulusOptions, Triangle};
 use crate::vectors::Trace;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::{CoreInputs, CoreOutputs, Order};
@@ -57,14 +57,36 @@ fn triangle(order: Order) -> Triangle {
     let between =
         |a: usize, b: usize| std::array::from_fn(|i| (corners[a][i] + corners[b][i]) / 2.0);
     let mut knots = corners.to_vec();
-    if order == Order::Quadratic {
+    if order != Order::Linear {
         knots.extend([between(0, 1), between(0, 2), between(1, 2)]);
     }
     Triangle {
         position: [point(0, 0), point(4, 0), point(0, 3)],
         depth: [40_000.0, 30_000.0, 20_000.0],
-        knots,
+        knots: cosines(order, knots),
+        material: material(order),
         label: "timing diagram".to_owned(),
+    }
+}
+
+/// What cores that shade per pixel draw it with: matt, so that no table is sent.
+pub(super) fn material(order: Order) -> Option<Material> {
+    match order {
+        Order::Linear | Order::Quadratic => None,
+        Order::QuadraticDots => Some(Material {
+            ambient: [20.0, 10.0, 5.0],
+            diffuse: [200.0, 120.0, 60.0],
+            specular: [0.0; 3],
+            shininess: 1.0,
+        }),
+    }
+}
+
+/// Knots of such cores from colours: N·L from dark to light.
+pub(super) fn cosines(order: Order, knots: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
+    match order {
+        Order::Linear | Order::Quadratic => knots,
+        Order::QuadraticDots => knots.iter().map(|k| [k[0] / 255.0, 0.0, 0.0]).collect(),
     }
 }
 
@@ -113,7 +135,7 @@ pub fn diagram(core: &Core, size: (u32, u32)) -> Result<Diagram, StimulusError> 
     let start = inputs.iter().position(|i| i.start).unwrap_or(0);
     clocks.drain(..start.saturating_sub(WRITES_BEFORE));
     Ok(Diagram {
-        title: format!("{}_core: last words, start, pixels, done", core.name()),
+        title: format!("{}_core: last words, start, pixels, done", core.module()),
         clocks: clocks.len(),
         rows: rows(core, &clocks),
     })

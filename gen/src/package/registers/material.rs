@@ -1,0 +1,95 @@
+//! The words of a material, and the fence before them.
+
+use super::{Field, Register};
+use shadegate_hdl::shade::phong::{
+    AMBIENT_FRACTION_BITS, FENCE_WORD, TABLE_PLACE_WORD, TABLE_WORD, TINT_FRACTION_BITS,
+};
+use shadegate_hdl::shade::COLOUR_INTEGER_BITS;
+
+/// Names of the colour words.
+const COLOURS: [(&str, &str); 9] = [
+    ("red ambient", "red without any light, plus one half"),
+    ("red diffuse", "red of the diffuse reflection"),
+    ("red specular", "red of the highlight"),
+    ("green ambient", "green without any light, plus one half"),
+    ("green diffuse", "green of the diffuse reflection"),
+    ("green specular", "green of the highlight"),
+    ("blue ambient", "blue without any light, plus one half"),
+    ("blue diffuse", "blue of the diffuse reflection"),
+    ("blue specular", "blue of the highlight"),
+];
+
+/// Fence and material.
+pub fn registers() -> Vec<Register> {
+    let mut all = vec![fields(
+        "shell",
+        FENCE_WORD,
+        "fence",
+        "lowers load_ready until all pixels before it have been coloured",
+        vec![field(0, 0, "anything")],
+    )];
+    for (word, (name, meaning)) in (0u8..).zip(COLOURS) {
+        let frac = match word % 3 {
+            0 => AMBIENT_FRACTION_BITS,
+            _ => TINT_FRACTION_BITS,
+        };
+        all.push(Register {
+            select: 0x40 | word,
+            target: "material",
+            word,
+            name,
+            bits: 1 + COLOUR_INTEGER_BITS + frac,
+            format: format!("Q{COLOUR_INTEGER_BITS}.{frac}"),
+            meaning,
+            per: "material",
+            fields: vec![],
+        });
+    }
+    all.push(fields(
+        "material",
+        TABLE_PLACE_WORD,
+        "interval",
+        "where the power table is written",
+        vec![field(8, 0, "interval, 0 to 511")],
+    ));
+    all.push(fields(
+        "material",
+        TABLE_WORD,
+        "power",
+        "the power in that interval; the next interval is meant afterwards",
+        vec![
+            field(31, 14, "power at its beginning, in 2^-18"),
+            field(13, 0, "how far it falls to its end, in 2^-18"),
+        ],
+    ));
+    all
+}
+
+fn field(high: usize, low: usize, meaning: &str) -> Field {
+    Field {
+        high,
+        low,
+        meaning: meaning.to_owned(),
+    }
+}
+
+fn fields(
+    target: &'static str,
+    word: usize,
+    name: &'static str,
+    meaning: &'static str,
+    fields: Vec<Field>,
+) -> Register {
+    let mask = if target == "shell" { 0 } else { 0x40 };
+    Register {
+        select: mask | word as u8,
+        target,
+        word: word as u8,
+        name,
+        bits: fields.first().map_or(0, |f| f.high + 1),
+        format: "fields".to_owned(),
+        meaning,
+        per: "material",
+        fields,
+    }
+}

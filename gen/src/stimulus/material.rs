@@ -1,0 +1,163 @@
+//! What cores that shade per pixel are sent: the words of a material, behind a fence, and those of two cosines.
+
+use super::build::{Triangle, Writer};
+use crate::setup::{fixed_knot, lobe_scale, power_words, quadric_words, Frame};
+use shadegate_hdl::shade::device::Core;
+use shadegate_hdl::shade::phong::power::{MAX_EXPONENT, PLACE_FRACTION_BITS, PLACE_INTEGER_BITS};
+use shadegate_hdl::shade::phong::{
+    AMBIENT_FRACTION_BITS, FENCE_WORD, LIGHT_FRACTION_BITS, LIGHT_INTEGER_BITS, TABLE_PLACE_WORD,
+    TABLE_WORD, TINT_FRACTION_BITS,
+};
+
+/// Mask of the material words.
+const MATERIAL: u8 = 0x40;
+/// Mask of the words of N·L.
+const LIGHT: u8 = 0x10;
+/// Mask of the words of the place in the lobe.
+const LOBE: u8 = 0x20;
+/// Largest sum of a channel's three colours, LSB.
+const BRIGHTEST: f64 = 2047.0;
+
+/// How a surface reflects one light, LSB.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// Colour without the light.
+    pub ambient: [f64; 3],
+    /// Colour of the diffuse reflection.
+    pub diffuse: [f64; 3],
+    /// Colour of the highlight.
+    pub specular: [f64; 3],
+    /// The exponent n of the highlight.
+    pub shininess: f64,
+}
+
+impl Material {
+    /// Whether there is a highlight.
+    fn shines(&self) -> bool {
+        self.specular.iter().any(|s| *s != 0.0)
+    }
+
+    /// The scale of the lobe, 0 where there is none.
+    fn scale(&self) -> Result<u32, String> {
+        if !self.shines() {
+            return Ok(0);
+        }
+        lobe_scale(self.shininess).ok_or_else(|| {
+            format!(
+                "shininess {} is outside 1 to {MAX_EXPONENT}",
+                self.shininess
+            )
+        })
+    }
+
+    /// The nine colour words.
+    fn colours(&self) -> Result<[u64; 9], String> {
+        let mut words = [0; 9];
+        for channel in 0..3 {
+            let parts = [
+                self.ambient[channel],
+                self.diffuse[channel],
+                self.specular[channel],
+            ];
+            let sum: f64 = parts.iter().sum();
+            if parts.iter().any(|p| !(*p >= 0.0)) || !(sum <= BRIGHTEST) {
+                return Err(format!(
+                    "ambient, diffuse and specular colour {}, {} and {} do not add up to 0 to {BRIGHTEST}",
+                    parts[0], parts[1], parts[2]
+                ));
+            }
+            let code = |value: f64, bits: usize| (value * (1u64 << bits) as f64).round() as u64;
+            let half = 1 << (AMBIENT_FRACTION_BITS - 1);
+            words[3 * channel] = code(parts[0], AMBIENT_FRACTION_BITS) + half;
+            words[3 * channel + 1] = code(parts[1], TINT_FRACTION_BITS);
+            words[3 * channel + 2] = code(parts[2], TINT_FRACTION_BITS);
+        }
+        Ok(words)
+    }
+}
+
+/// Six knots of one of a triangle's quantities, each mapped.
+fn six(
+    t: &Triangle,
+    name: &str,
+    which: usize,
+    map: impl Fn(f64) -> f64,
+) -> Result<[i128; 6], String> {
+    if t.knots.len() != 6 {
+        return Err(format!("{} knots where the core takes 6", t.knots.len()));
+    }
+    let mut out = [0; 6];
+    for (to, knot) in out.iter_mut().zip(&t.knots) {
+        let cosine = knot[which];
+        *to = fixed_knot(map(cosine))
+            .filter(|_| (-2.0..=2.0).contains(&cosine))
+            .ok_or_else(|| format!("{name} {cosine} at a knot is outside -2 to 2"))?;
+    }
+    Ok(out)
+}
+
+impl Writer<'_> {
+    /// The material of a triangle, if it is not the one before: a fence, then what differs.
+    fn material(&mut self, m: &Material, writes: &mut Vec<(u8, u64)>) -> Result<(), String> {
+        let mut words = vec![];
+        for (word, data) in (0u8..).zip(m.colours()?) {
+            if self.needed(MATERIAL | word, data) {
+                words.push((MATERIAL | word, data));
+            }
+        }
+        let scale = m.scale()?;
+        // The whole table is one word to those who count.
+        if m.shines() && self.needed(MATERIAL | TABLE_WORD as u8, m.shininess.to_bits()) {
+            words.push((MATERIAL | TABLE_PLACE_WORD as u8, 0));
+            let table = power_words(m.shininess, scale).into_iter();
+            words.extend(table.map(|w| (MATERIAL | TABLE_WORD as u8, w)));
+        }
+        if !words.is_empty() {
+            writes.push((FENCE_WORD as u8, 0));
+            writes.extend(words);
+        }
+        Ok(())
+    }
+
+    fn quadric(&mut self, mask: u8, words: [u64; 10], writes: &mut Vec<(u8, u64)>) {
+        for (word, data) in (0u8..).zip(words) {
+            if self.needed(mask | word, data) {
+                writes.push((mask | word, data));
+            }
+        }
+    }
+
+    /// Words of a triangle of the quadratic-dots core.
+    pub(super) fn dots(
+        &mut self,
+        core: &Core,
+        t: &Triangle,
+        frame: &Frame,
+        writes: &mut Vec<(u8, u64)>,
+    ) -> Result<(), String> {
+        let m = t.material.as_ref().ok_or("no material")?;
+        self.material(m, writes)?;
+        let below = core.fraction_bits();
+        let half = 1i128 << (below - 1);
+        let words = |knots, int: usize, frac: usize| {
+            let fraction = (frac + below) as u32;
+            quadric_words(frame, knots, fraction, 1 + int as u32 + fraction, half)
+        };
+        let light = six(t, "N·L", 0, |c| c)?;
+        self.quadric(
+            LIGHT,
+            words(light, LIGHT_INTEGER_BITS, LIGHT_FRACTION_BITS),
+            writes,
+        );
+        if m.shines() {
+            let scale = f64::from(1u32 << m.scale()?);
+            let lobe = six(t, "N·H", 1, |c| (1.0 - c) * scale)?;
+            self.quadric(
+                LOBE,
+                words(lobe, PLACE_INTEGER_BITS, PLACE_FRACTION_BITS),
+                writes,
+            );
+        }
+        Ok(())
+    }
+}
