@@ -1,7 +1,9 @@
 //! A prepared scene as the triangles of a core: knots of its method, depths in words.
 
-use crate::stimulus::Triangle;
+use crate::stimulus::{Line, Triangle};
+use shadegate_hdl::line::Filter;
 use shadegate_hdl::shade::model::Order;
+use shadegate_reference::line::{wireframe, LineFilter};
 use shadegate_reference::{depth, shade, Method, Prepared, Scene, ScreenTriangle};
 
 /// Methods that have a core, by catalogue name.
@@ -9,6 +11,41 @@ pub const CORES: [(&str, Order, Method); 2] = [
     ("gouraud", Order::Linear, Method::Gouraud),
     ("quadratic", Order::Quadratic, Method::Quadratic),
 ];
+
+/// Filters of lines, each with its core, by catalogue name.
+pub const LINES: [(&str, Order, LineFilter); 3] = [
+    (
+        "bresenham",
+        Order::Line(Filter::Bresenham),
+        LineFilter::Bresenham,
+    ),
+    ("box", Order::Line(Filter::Box), LineFilter::Box),
+    ("cone", Order::Line(Filter::Cone), LineFilter::Cone),
+];
+
+/// The core that draws lines with a filter.
+#[must_use]
+pub fn line_order(filter: LineFilter) -> Order {
+    Order::Line(match filter {
+        LineFilter::Bresenham => Filter::Bresenham,
+        LineFilter::Box => Filter::Box,
+        LineFilter::Cone => Filter::Cone,
+    })
+}
+
+/// The lines of a prepared scene, far ones first, hidden parts left out.
+#[must_use]
+pub fn lines(p: &Prepared) -> Vec<Line> {
+    let strokes = wireframe::strokes(&p.wires, p.width, p.height);
+    let one = |stroke: wireframe::Stroke| Line {
+        label: format!(
+            "object {}, edge {}",
+            p.wires.edges[stroke.edge].object, stroke.edge
+        ),
+        stroke,
+    };
+    strokes.into_iter().map(one).collect()
+}
 
 /// What a scene has that no core draws.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -64,6 +101,8 @@ pub fn method_of(order: Order) -> Method {
     match order {
         Order::Linear => Method::Gouraud,
         Order::Quadratic => Method::Quadratic,
+        // Wires are the same whatever shades the faces.
+        Order::Line(_) => Method::Exact,
     }
 }
 
@@ -71,6 +110,7 @@ fn knots(p: &Prepared, t: &ScreenTriangle, order: Order) -> Vec<[f64; 3]> {
     match order {
         Order::Linear => shade::gouraud::knots(p, t).to_vec(),
         Order::Quadratic => shade::quadratic::knots(p, t).to_vec(),
+        Order::Line(_) => vec![],
     }
 }
 

@@ -1,5 +1,6 @@
 //! The register map of a core as data: for the manifest, the README and whoever writes a driver.
 
+use super::line;
 use serde::Serialize;
 use shadegate_hdl::raster::{COLUMN_BITS, ERROR_BITS};
 use shadegate_hdl::shade::device::Core;
@@ -22,7 +23,7 @@ pub struct Field {
 pub struct Register {
     /// Select code that addresses this word alone: channel mask in bits 7 to 4, word number in bits 3 to 0.
     pub select: u8,
-    /// `shell`, `red`, `green`, `blue` or `depth`.
+    /// `shell` (the walk and the weights of a line core), `red`, `green`, `blue` or `depth`.
     pub target: &'static str,
     /// Word number.
     pub word: u8,
@@ -34,7 +35,7 @@ pub struct Register {
     pub format: String,
     /// What it means.
     pub meaning: &'static str,
-    /// `triangle`: double-buffered, taken with `start`. `frame`: taken at once, written while the core is idle.
+    /// `triangle`, `line`: double-buffered, taken with `start`. `frame`: taken at once, written while the core is idle.
     pub per: &'static str,
     /// Parts, high to low; empty where the word is one number.
     pub fields: Vec<Field>,
@@ -71,11 +72,14 @@ const QUADRIC: [(&str, &str); 10] = [
 /// The whole map, in the order of the select codes of shell, red, green, blue, depth.
 #[must_use]
 pub fn registers(core: &Core) -> Vec<Register> {
+    if let Order::Line(filter) = core.order {
+        return line::registers(filter, core.address_bits());
+    }
     let mut all = shell(core);
     let quadric = &QUADRIC[..];
     let plane = &PLANE[..];
     let colour = match core.order {
-        Order::Linear => plane,
+        Order::Linear | Order::Line(_) => plane,
         Order::Quadratic => quadric,
     };
     let channels = [("red", 1), ("green", 2), ("blue", 4)];
@@ -101,7 +105,7 @@ pub fn registers(core: &Core) -> Vec<Register> {
     all
 }
 
-fn channel(
+pub(super) fn channel(
     all: &mut Vec<Register>,
     target: &'static str,
     mask: u8,

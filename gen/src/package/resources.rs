@@ -3,6 +3,7 @@
 //! The figures are those of the README's table, made by `scripts/resources`; a configuration that is not here was not
 //! measured, and nothing is guessed for it.
 
+use super::line;
 use serde::Serialize;
 use shadegate_constraints::Device;
 use shadegate_hdl::shade::device::Core;
@@ -54,7 +55,7 @@ const GOURAUD: [Measured; 3] = [
 /// The estimate in a manifest.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Resources {
-    /// Bits of the depth memory.
+    /// Bits of the depth memory, or of the frame memory of a line core.
     pub depth_memory_bits: u64,
     /// Synthesiser of `measured`.
     pub tool: &'static str,
@@ -68,13 +69,14 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
     let all = match core.order {
         Order::Linear => GOURAUD,
         Order::Quadratic => QUADRATIC,
+        Order::Line(filter) => line::measured(filter),
     };
     let rows: Vec<Measured> = all
         .into_iter()
         .filter(|m| size == FRAME && device.is_none_or(|d| d.family == m.family))
         .collect();
     Resources {
-        depth_memory_bits: core.pixels as u64 * 16,
+        depth_memory_bits: core.memory_bits(),
         tool: TOOL,
         measured: Some(rows).filter(|r| !r.is_empty()),
     }

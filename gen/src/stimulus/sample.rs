@@ -1,21 +1,39 @@
 //! Triangles for a core that is generated without a scene: enough to exercise every register and every case of the walk.
 
-use super::Triangle;
+use super::{build, sample_lines, Stimulus, StimulusError, StimulusOptions, Triangle};
+use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::raster::{Point, Viewport, SUBPIXELS};
 
 /// A small linear congruential generator (Knuth's MMIX constants): vectors must be the same on every machine and in
 /// every release, which no general-purpose generator promises.
-struct Draw(u64);
+pub(super) struct Draw(pub(super) u64);
 
 impl Draw {
-    fn below(&mut self, limit: u64) -> u64 {
+    pub(super) fn below(&mut self, limit: u64) -> u64 {
         self.0 = self
             .0
             .wrapping_mul(6_364_136_223_846_793_005)
             .wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) % limit.max(1)
     }
+}
+
+/// The writes that exercise a core: of `count` triangles, or lines.
+///
+/// # Errors
+/// When one cannot be set up, which no valid frame causes.
+pub fn sample(
+    core: &Core,
+    viewport: Viewport,
+    count: usize,
+    seed: u64,
+) -> Result<Stimulus, StimulusError> {
+    if let Order::Line(filter) = core.order {
+        return sample_lines(filter, viewport, count, seed);
+    }
+    let triangles = sample_triangles(core.order, viewport, count, seed);
+    build(core, &triangles, viewport, &StimulusOptions::default())
 }
 
 /// `count` triangles of mixed size and shape in (and a little around) the frame: both orientations, level edges,

@@ -88,6 +88,15 @@ impl Filter {
         }
     }
 
+    /// Bits of the frame memory per pixel.
+    #[must_use]
+    pub fn memory_bits(self) -> u64 {
+        match self {
+            Self::Bresenham => 0,
+            Self::Box | Self::Cone => 24,
+        }
+    }
+
     /// Calls `f` with the core's description; `A` is the width of a frame address.
     pub(crate) fn with_design<const A: usize, R>(
         self,

@@ -87,6 +87,25 @@ impl Core {
         }
     }
 
+    /// Clocks from the edge that takes `start` to the edge at which the first pixel can be taken, in an idle core.
+    #[must_use]
+    pub fn latency(&self) -> u32 {
+        match self.order {
+            Order::Line(filter) => filter.latency(),
+            _ => 5,
+        }
+    }
+
+    /// Bits of the depth memory, or of the frame memory of a line core.
+    #[must_use]
+    pub fn memory_bits(&self) -> u64 {
+        let per_pixel = match self.order {
+            Order::Line(filter) => filter.memory_bits(),
+            _ => 16,
+        };
+        self.pixels as u64 * per_pixel
+    }
+
     /// Width of the register bus.
     #[must_use]
     pub fn bus_bits(&self) -> usize {

@@ -227,6 +227,18 @@ fn clearing_gives_an_empty_frame() {
     }
 }
 
+/// Whether 255·f lies half-way between two levels in a pixel's column.
+fn is_tie(path: &Path, p: Pixel) -> bool {
+    let first = path.place(0, 0);
+    let x = if path.steep {
+        p.y - first.y
+    } else {
+        p.x - first.x
+    };
+    let (dx, dy) = (i64::from(path.major), i64::from(path.minor));
+    (510 * (i64::from(x) * dy % dx) + dx) % (2 * dx) == 0
+}
+
 /// How far the integers are from the renderer's f64: in a cone's weights by one level at the border of two entries, in a
 /// box filter's where 255·f lies exactly between two levels and f64 rounds f; elsewhere not at all.
 #[test]
@@ -243,10 +255,14 @@ fn against_the_renderer_s_real_numbers() {
                     assert_eq!(x.0, y.0, "{path:?}");
                     differ += u32::from(x.1 != y.1);
                     worst = worst.max(x.1.abs_diff(y.1));
+                    if filter == Filter::Box && x.1 != y.1 {
+                        assert!(is_tie(&path, x.0), "{path:?} {x:?}");
+                    }
                 }
             }
         }
         println!("{filter:?}: {differ} of {pixels} levels differ, by at most {worst}");
-        assert!(worst <= 1 && differ < pixels / 10_000, "{filter:?}");
+        let most = if filter == Filter::Box { 300 } else { 10_000 };
+        assert!(worst <= 1 && differ < pixels / most, "{filter:?}");
     }
 }

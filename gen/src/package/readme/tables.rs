@@ -63,9 +63,42 @@ pub fn registers(m: &Manifest) -> String {
          the edges. `select[3:0]` is the word. One write goes to every channel in the mask. A word is taken while \
          `load_ready` is high; words per triangle are double-buffered, and those that have not changed need not be \
          written again.\n\n\
-         ### Shell\n\n\
-         | select | word | bits | content | per |\n|---:|---|---|---|---|\n",
+         ### Shell\n\n",
     );
+    out += &shell_rows(m);
+    for (title, target, selects) in [
+        ("Red, green, blue", "red", [1, 2, 4].as_slice()),
+        ("Depth", "depth", &[8]),
+    ] {
+        out += &channel_rows(m, title, target, selects);
+    }
+    out.push_str(
+        "\np is the step of one pixel along the span, s the step from one span start to the next, t = s + p that step \
+         when the edge walk carries. d(u) is the first difference along u at the first span start, dd(u, v) the \
+         second difference. Words that are sums of others are formed by adding the rounded words.\n",
+    );
+    out
+}
+
+/// The register map of a line core.
+pub fn line_registers(m: &Manifest) -> String {
+    let mut out = String::from(
+        "## Registers\n\n\
+         `select[7:4]` is a mask: bit 4 red, bit 5 green, bit 6 blue; zero selects the walk and its weights. \
+         `select[3:0]` is the word. One write goes to every channel in the mask. A word is taken while `load_ready` is \
+         high; words per line are double-buffered, and those that have not changed need not be written again.\n\n\
+         A line is walked with its major coordinate rising: dX columns after the first along the major axis, dY <= dX \
+         rows along the minor one. It may be begun at any column, with the words of that column.\n\n\
+         ### Walk and weights\n\n",
+    );
+    out += &shell_rows(m);
+    out += &channel_rows(m, "Red, green, blue", "red", &[1, 2, 4]);
+    out
+}
+
+fn shell_rows(m: &Manifest) -> String {
+    let mut out =
+        String::from("| select | word | bits | content | per |\n|---:|---|---|---|---|\n");
     for r in m.registers.iter().filter(|r| r.target == "shell") {
         for (i, f) in r.fields.iter().enumerate() {
             let (select, name, per) = match i {
@@ -84,23 +117,18 @@ pub fn registers(m: &Manifest) -> String {
             );
         }
     }
-    for (title, target, selects) in [
-        ("Red, green, blue", "red", [1, 2, 4].as_slice()),
-        ("Depth", "depth", &[8]),
-    ] {
-        let _ = write!(
+    out
+}
+
+fn channel_rows(m: &Manifest, title: &str, target: &str, selects: &[u8]) -> String {
+    let mut out = String::new();
+    let _ = write!(
             out,
             "\n### {title}\n\n| select | word | format | bits | content | per |\n|---|---|---|---:|---|---|\n"
         );
-        for r in m.registers.iter().filter(|r| r.target == target) {
-            let _ = writeln!(out, "{}", channel_row(r, selects));
-        }
+    for r in m.registers.iter().filter(|r| r.target == target) {
+        let _ = writeln!(out, "{}", channel_row(r, selects));
     }
-    out.push_str(
-        "\np is the step of one pixel along the span, s the step from one span start to the next, t = s + p that step \
-         when the edge walk carries. d(u) is the first difference along u at the first span start, dd(u, v) the \
-         second difference. Words that are sums of others are formed by adding the rounded words.\n",
-    );
     out
 }
 
@@ -166,10 +194,17 @@ pub fn wrappers(m: &Manifest) -> String {
 /// What was measured.
 pub fn resources(m: &Manifest) -> String {
     let r = &m.resources;
-    let memory = format!(
-        "The depth memory holds {} bits, 16 per pixel. No multiplier is used.\n",
-        r.depth_memory_bits
-    );
+    let memory = match m.core.as_str() {
+        "bresenham" => "No memory and no multiplier is used.\n".to_owned(),
+        "box" | "cone" => format!(
+            "The frame memory holds {} bits, 24 per pixel. Blending takes three multipliers of 9 bits.\n",
+            r.depth_memory_bits
+        ),
+        _ => format!(
+            "The depth memory holds {} bits, 16 per pixel. No multiplier is used.\n",
+            r.depth_memory_bits
+        ),
+    };
     let Some(measured) = &r.measured else {
         return format!(
             "## Resources\n\n{memory}Logic was not measured for this core, frame and family.\n"

@@ -10,7 +10,7 @@ mod wavedrom;
 pub use svg::svg;
 pub use wavedrom::wavedrom;
 
-use crate::stimulus::{build, Stimulus, StimulusError, StimulusOptions, Triangle};
+use crate::stimulus::{build, single_line, Stimulus, StimulusError, StimulusOptions, Triangle};
 use crate::vectors::Trace;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::{CoreInputs, CoreOutputs, Order};
@@ -87,8 +87,13 @@ fn run(core: Core, stimulus: &Stimulus) -> Trace {
 pub fn inputs(core: &Core, size: (u32, u32)) -> Result<Vec<CoreInputs>, StimulusError> {
     let (width, height) = size;
     let viewport = Viewport { width, height };
-    let triangles = [triangle(core.order)];
-    let stimulus = build(core, &triangles, viewport, &StimulusOptions::default())?;
+    let stimulus = match core.order {
+        Order::Line(filter) => single_line(filter, viewport, 6)?,
+        _ => {
+            let triangles = [triangle(core.order)];
+            build(core, &triangles, viewport, &StimulusOptions::default())?
+        }
+    };
     let trace = run(*core, &stimulus);
     let idle = CoreInputs {
         ready: true,
