@@ -2,7 +2,7 @@
 
 use crate::args::Global;
 use crate::measures::duration;
-use crate::names::{cores, engines, hardware_method, Offer};
+use crate::names::{check_names, cores, drawing_of, engines, Drawing, Offer};
 use crate::outcome::{Exit, Failure, Outcome, Report};
 use crate::progress::Progress;
 use crate::{output, size};
@@ -11,7 +11,7 @@ use clap::Args;
 use serde_json::Value;
 use shadegate_gen::package::PackageError;
 use shadegate_gen::stimulus::StimulusOptions;
-use shadegate_reference::{scene, Method};
+use shadegate_reference::scene;
 use shadegate_testbench::cosim::{cosim, CosimError, CosimOptions, CosimReport, ErrorReport};
 use shadegate_testbench::engine::{Engine, EngineError, Wave};
 use std::fmt::Write;
@@ -26,7 +26,7 @@ use std::path::{Path, PathBuf};
 pub struct CosimArgs {
     /// Scene file
     scene: PathBuf,
-    /// Shading method, one that has a core [default: the scene's]
+    /// Shading method or filter of lines, one that has a core [default: the scene's]
     #[arg(long, value_parser = Offer(cores))]
     method: Option<String>,
     /// Core [default: the one of the method]
@@ -59,26 +59,30 @@ pub struct CosimArgs {
 pub fn run(a: &CosimArgs, global: Global) -> Outcome {
     let engine: Engine = a.engine.parse().map_err(Failure::input)?;
     // The names are checked before the scene is read; the scene's own method only matters without them.
-    hardware_method(a.method.as_deref(), a.core.as_deref(), Method::Quadratic)?;
+    check_names(a.method.as_deref(), a.core.as_deref())?;
     let size = a.size.as_deref().map(size::parse).transpose()?;
     let wave = wave(a, engine)?;
     a.output.as_deref().map(output::folder).transpose()?;
     let progress = Progress::new("reading the scene", global);
-    let scene = scene::load(&a.scene).map_err(Failure::input)?;
-    let method = hardware_method(a.method.as_deref(), a.core.as_deref(), scene.render.method)?;
-    progress.say(format!("{} draws {} in {engine}", method, scene.name));
+    let mut scene = scene::load(&a.scene).map_err(Failure::input)?;
+    let drawing = drawing_of(a.method.as_deref(), a.core.as_deref(), &mut scene)?;
+    let name = drawing.name();
+    progress.say(format!("{name} draws {} in {engine}", scene.name));
     let folder = a
         .output
         .clone()
-        .unwrap_or_else(|| Path::new("out").join(format!("{}-{method}-{engine}", scene.name)));
+        .unwrap_or_else(|| Path::new("out").join(format!("{}-{name}-{engine}", scene.name)));
     let options = CosimOptions {
-        method,
+        method: match drawing {
+            Drawing::Shaded(method) => method,
+            Drawing::Lines(_) => scene.render.method,
+        },
         engine,
         size,
         wave,
         output: Some(folder.clone()),
         stimulus: StimulusOptions::default(),
-        command: command(&a.scene, method, engine, size),
+        command: command(&a.scene, name, engine, size),
     };
     let report = cosim(&scene, &options).map_err(failure)?;
     drop(progress);
@@ -135,7 +139,7 @@ fn wave(a: &CosimArgs, engine: Engine) -> Result<Option<Wave>, Failure> {
 }
 
 /// The command that does this again.
-fn command(scene: &Path, method: Method, engine: Engine, size: Option<(u32, u32)>) -> String {
+fn command(scene: &Path, method: &str, engine: Engine, size: Option<(u32, u32)>) -> String {
     let scene = scene.to_string_lossy();
     let plain = |c: char| c.is_ascii_alphanumeric() || "/._-".contains(c);
     let scene = if scene.chars().all(plain) {
@@ -218,7 +222,7 @@ fn text(r: &CosimReport, wave: Option<&Path>, folder: &Path, verbose: bool) -> S
         let _ = writeln!(
             out,
             "time       set-up {}, emit {}, build {}, simulate {}, compare {}\n\
-             host       {} triangles in {} writes\n\
+             host       {} {} in {} writes\n\
              method     {} against {} in f64",
             duration(t.setup),
             duration(t.emit),
@@ -226,6 +230,11 @@ fn text(r: &CosimReport, wave: Option<&Path>, folder: &Path, verbose: bool) -> S
             duration(t.simulate),
             duration(t.compare),
             r.host.triangles,
+            if r.host.skipped.contains_key("unseen-lines") {
+                "pieces of lines"
+            } else {
+                "triangles"
+            },
             r.host.writes,
             error(&r.method_f64),
             r.method

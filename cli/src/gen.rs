@@ -2,7 +2,9 @@
 
 use crate::args::Global;
 use crate::cosim::failure;
-use crate::names::{boards, core, cores, devices, hardware_method, wrappers, Offer};
+use crate::names::{
+    boards, check_names, cores, devices, drawing, drawing_of, wrappers, Drawing, Offer,
+};
 use crate::outcome::{Failure, Outcome, Report};
 use crate::progress::Progress;
 use crate::{output, size};
@@ -10,7 +12,7 @@ use clap::Args;
 use serde_json::Value;
 use shadegate_constraints::{board, device};
 use shadegate_gen::package::{package_with, rtl_with, Options, Package, Target};
-use shadegate_gen::stimulus::{build, sample_triangles, StimulusOptions};
+use shadegate_gen::stimulus::{sample as sample_stimulus, StimulusOptions};
 use shadegate_gen::vectors::Trace;
 use shadegate_gen::wrapper::Wrapper;
 use shadegate_gen::write::write_file;
@@ -85,7 +87,7 @@ pub fn run(a: &GenArgs, global: Global) -> Outcome {
             )));
         }
         (None, Some(name)) => (
-            sample(core(name)?, size.unwrap_or(FRAME), &options, a.reset)?,
+            sample(drawing(name)?, size.unwrap_or(FRAME), &options, a.reset)?,
             format!("{name}-core"),
         ),
         // clap demands one of them.
@@ -149,11 +151,15 @@ fn of_scene(
     options: &Options,
     reset: bool,
 ) -> Result<(Package, String), Failure> {
-    hardware_method(method, None, Method::Quadratic)?;
-    let scene = scene::load(file).map_err(Failure::input)?;
-    let method = hardware_method(method, None, scene.render.method)?;
+    check_names(method, None)?;
+    let mut scene = scene::load(file).map_err(Failure::input)?;
+    let drawing = drawing_of(method, None, &mut scene)?;
+    let method = match drawing {
+        Drawing::Shaded(method) => method,
+        Drawing::Lines(_) => scene.render.method,
+    };
     let p = prelude(&scene, method, size, &StimulusOptions::default()).map_err(failure)?;
-    let name = format!("{}-{method}-core", scene.name);
+    let name = format!("{}-{}-core", scene.name, drawing.name());
     if options.target.is_none() && options.wrappers.is_empty() && !reset {
         return Ok((p.package, name));
     }
@@ -163,17 +169,16 @@ fn of_scene(
 
 /// A core by itself, with vectors that exercise all of it.
 fn sample(
-    method: Method,
+    drawing: Drawing,
     frame: (u32, u32),
     options: &Options,
     reset: bool,
 ) -> Result<Package, Failure> {
     let (width, height) = frame;
-    let core = core_for(method, width, height).map_err(failure)?;
+    let core = drawing.core(width, height).map_err(failure)?;
     let viewport = Viewport { width, height };
     let (count, seed) = SAMPLE;
-    let triangles = sample_triangles(core.order, viewport, count, seed);
-    let stimulus = build(&core, &triangles, viewport, &StimulusOptions::default())
+    let stimulus = sample_stimulus(&core, viewport, count, seed)
         .map_err(|e| failure(CosimError::Stimulus(e)))?;
     pack(
         &Trace::record(core, &stimulus, |_| true),
@@ -210,11 +215,16 @@ fn text(p: &Package, folder: &Path, verbose: bool) -> String {
     // Writing to a string cannot fail.
     let _ = writeln!(
         out,
-        "formats    {}\nlatency    {} clocks\nerror      at most {:.4} LSB before rounding\nmemory     {:.0} kbit for depth{}",
+        "formats    {}\nlatency    {} clocks\nerror      at most {:.4} LSB before rounding\nmemory     {:.0} kbit for {}{}",
         bits.join(", "),
         m.latency,
         m.error_bound_lsb,
         m.block_ram.needed_kbit,
+        if m.formats.contains_key("depth") {
+            "depth"
+        } else {
+            "colours"
+        },
         match (m.block_ram.available_kbit, m.block_ram.fits) {
             (Some(kbit), Some(false)) => format!(", but the device has {kbit} kbit of block RAM"),
             (Some(kbit), _) => format!(" of {kbit} kbit of block RAM"),

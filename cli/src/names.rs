@@ -3,11 +3,14 @@
 use crate::outcome::Failure;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
-use shadegate_gen::scene::{order_of, CORES};
+use shadegate_gen::scene::{order_of, CORES, LINES};
 use shadegate_gen::wrapper::Wrapper;
+use shadegate_hdl::shade::device::Core;
 use shadegate_reference::antialias::Antialias;
+use shadegate_reference::line::LineFilter;
 use shadegate_reference::method::UnknownName;
-use shadegate_reference::Method;
+use shadegate_reference::{Method, Scene};
+use shadegate_testbench::cosim::{core_for, is_wireframe, line_core_for, CosimError};
 use shadegate_testbench::engine::Engine;
 use shadegate_testbench::synthesis::Router;
 use std::ffi::OsStr;
@@ -43,9 +46,10 @@ pub fn antialiasing() -> Vec<&'static str> {
     Antialias::ALL.map(Antialias::name).to_vec()
 }
 
-/// Names of the cores; the method that a core draws has the same name.
+/// Names of the cores; the method, or the filter of lines, that a core draws has the same name.
 pub fn cores() -> Vec<&'static str> {
-    CORES.map(|c| c.0).to_vec()
+    let triangles = CORES.iter().map(|c| c.0);
+    triangles.chain(LINES.iter().map(|l| l.0)).collect()
 }
 
 /// Engines of the co-simulation.
@@ -100,6 +104,90 @@ pub fn with_core(method: Method) -> Result<Method, Failure> {
     }
 }
 
+/// What a core draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drawing {
+    /// Triangles, shaded by a method.
+    Shaded(Method),
+    /// Lines, by a filter.
+    Lines(LineFilter),
+}
+
+impl Drawing {
+    /// Name of the method or filter.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Shaded(method) => method.name(),
+            Self::Lines(filter) => filter.name(),
+        }
+    }
+
+    /// Its core for a frame.
+    pub fn core(self, width: u32, height: u32) -> Result<Core, CosimError> {
+        match self {
+            Self::Shaded(method) => core_for(method, width, height),
+            Self::Lines(filter) => line_core_for(filter, width, height),
+        }
+    }
+}
+
+fn filter_of(name: &str) -> Option<LineFilter> {
+    LINES.iter().find(|l| l.0 == name).map(|l| l.2)
+}
+
+/// What the core of this name draws.
+pub fn drawing(name: &str) -> Result<Drawing, Failure> {
+    match filter_of(name) {
+        Some(filter) => Ok(Drawing::Lines(filter)),
+        None => core(name).map(Drawing::Shaded),
+    }
+}
+
+/// Checks what the user says of method and core before a scene is read.
+pub fn check_names(method_name: Option<&str>, core_name: Option<&str>) -> Result<(), Failure> {
+    let line = |name: Option<&str>| name.is_some_and(|n| filter_of(n).is_some());
+    match (method_name, core_name) {
+        (Some(m), Some(c)) if (line(Some(m)) || line(Some(c))) && m != c => Err(Failure::input(
+            format!("core '{c}' does not draw method '{m}'; leave out one of --core and --method"),
+        )),
+        (m, c) if line(m) || line(c) => Ok(()),
+        (m, c) => hardware_method(m, c, Method::Quadratic).map(|_| ()),
+    }
+}
+
+/// What is drawn of a scene, from what the user says of method and core, or else from the scene; a filter that the user
+/// names becomes the scene's.
+pub fn drawing_of(
+    method_name: Option<&str>,
+    core_name: Option<&str>,
+    scene: &mut Scene,
+) -> Result<Drawing, Failure> {
+    check_names(method_name, core_name)?;
+    let wires = is_wireframe(scene).map_err(Failure::input)?;
+    let named = method_name.or(core_name);
+    let filter = named.and_then(filter_of);
+    match (wires, named, filter) {
+        (true, _, Some(filter)) => {
+            scene.render.line = filter;
+            Ok(Drawing::Lines(filter))
+        }
+        (true, None, _) => Ok(Drawing::Lines(scene.render.line)),
+        (true, Some(name), None) => Err(Failure::input(format!(
+            "core '{name}' does not draw wireframes, and object[0] of the scene is one; cores that do: {}",
+            LINES.map(|l| l.0).join(", ")
+        ))),
+        (false, Some(name), Some(_)) => Err(Failure::input(format!(
+            "core '{name}' draws wireframes, and the scene has none; cores of triangles: {}",
+            CORES.map(|c| c.0).join(", ")
+        ))),
+        (false, _, None) => {
+            hardware_method(method_name, core_name, scene.render.method).map(Drawing::Shaded)
+        }
+        // No name, no filter.
+        (false, None, Some(_)) => hardware_method(None, None, scene.render.method).map(Drawing::Shaded),
+    }
+}
+
 /// The method from what the user says of method and core, or else from the scene.
 pub fn hardware_method(
     method_name: Option<&str>,
@@ -129,11 +217,31 @@ mod tests {
         }
         assert_eq!(
             core("goraud").unwrap_err().message,
-            "unknown core 'goraud'; the nearest is 'gouraud' of gouraud, quadratic, quadratic-dots"
+            "unknown core 'goraud'; the nearest is 'gouraud' of gouraud, quadratic, quadratic-dots, bresenham, box, cone"
         );
         assert_eq!(
             with_core(Method::Flat).unwrap_err().message,
-            "method 'flat' has no core; cores: gouraud, quadratic, quadratic-dots"
+            "method 'flat' has no core; cores: gouraud, quadratic, quadratic-dots, bresenham, box, cone"
+        );
+    }
+
+    #[test]
+    fn filters_are_cores_too() {
+        for (name, _, filter) in LINES {
+            assert_eq!(drawing(name).unwrap(), Drawing::Lines(filter));
+            assert_eq!(Drawing::Lines(filter).name(), name);
+            check_names(Some(name), Some(name)).unwrap();
+            check_names(None, Some(name)).unwrap();
+        }
+        assert_eq!(
+            drawing("gouraud").unwrap(),
+            Drawing::Shaded(Method::Gouraud)
+        );
+        assert_eq!(
+            check_names(Some("gouraud"), Some("box"))
+                .unwrap_err()
+                .message,
+            "core 'box' does not draw method 'gouraud'; leave out one of --core and --method"
         );
     }
 

@@ -4,8 +4,10 @@ mod reflected;
 
 pub use reflected::{suited, Unsuited};
 
-use crate::stimulus::{Material, Triangle};
+use crate::stimulus::{Line, Material, Triangle};
+use shadegate_hdl::line::Filter;
 use shadegate_hdl::shade::model::Order;
+use shadegate_reference::line::{wireframe, LineFilter};
 use shadegate_reference::{depth, shade, Method, Prepared, Scene, ScreenTriangle};
 
 /// Methods that have a core, by catalogue name.
@@ -26,6 +28,41 @@ pub const SET_UPS: [(Method, Order); 4] = [
     (Method::XShading, Order::QuadraticDots),
     (Method::XShadingCached, Order::QuadraticDots),
 ];
+
+/// Filters of lines, each with its core, by catalogue name.
+pub const LINES: [(&str, Order, LineFilter); 3] = [
+    (
+        "bresenham",
+        Order::Line(Filter::Bresenham),
+        LineFilter::Bresenham,
+    ),
+    ("box", Order::Line(Filter::Box), LineFilter::Box),
+    ("cone", Order::Line(Filter::Cone), LineFilter::Cone),
+];
+
+/// The core that draws lines with a filter.
+#[must_use]
+pub fn line_order(filter: LineFilter) -> Order {
+    Order::Line(match filter {
+        LineFilter::Bresenham => Filter::Bresenham,
+        LineFilter::Box => Filter::Box,
+        LineFilter::Cone => Filter::Cone,
+    })
+}
+
+/// The lines of a prepared scene, far ones first, hidden parts left out.
+#[must_use]
+pub fn lines(p: &Prepared) -> Vec<Line> {
+    let strokes = wireframe::strokes(&p.wires, p.width, p.height);
+    let one = |stroke: wireframe::Stroke| Line {
+        label: format!(
+            "object {}, edge {}",
+            p.wires.edges[stroke.edge].object, stroke.edge
+        ),
+        stroke,
+    };
+    strokes.into_iter().map(one).collect()
+}
 
 /// What a scene has that no core draws.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -82,6 +119,8 @@ pub fn method_of(order: Order) -> Method {
         Order::Linear => Method::Gouraud,
         Order::Quadratic => Method::Quadratic,
         Order::QuadraticDots => Method::QuadraticDots,
+        // Wires are the same whatever shades the faces.
+        Order::Line(_) => Method::Exact,
     }
 }
 
@@ -95,6 +134,7 @@ fn knots(p: &Prepared, index: usize, method: Method) -> (Vec<[f64; 3]>, Option<M
             let (knots, material) = reflected::knots(p, index, method);
             (knots, Some(material))
         }
+        Order::Line(_) => (vec![], None),
     }
 }
 

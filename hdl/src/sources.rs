@@ -3,10 +3,23 @@
 
 /// Source text by the description's `name` remark.
 pub const SOURCES: &[(&str, &str)] = &[
+    ("blend", include_str!("line/blend.rs")),
+    ("box_core", include_str!("line/box_filter.rs")),
+    ("box_weight", include_str!("line/box_weight.rs")),
+    ("bresenham_core", include_str!("line/bresenham.rs")),
+    ("cone_columns", include_str!("line/cone_column.rs")),
+    ("cone_core", include_str!("line/cone.rs")),
+    ("cone_stages", include_str!("line/cone_stages.rs")),
+    ("cone_words", include_str!("line/cone_words.rs")),
     ("constant_1", include_str!("interpolate/constant_1.rs")),
     ("constant_2", include_str!("interpolate/constant_2.rs")),
+    ("cubic_1", include_str!("interpolate/cubic_1.rs")),
     ("edge_walk", include_str!("raster/edge_walk.rs")),
     ("gouraud_core", include_str!("shade/gouraud.rs")),
+    ("lane_place", include_str!("line/place.rs")),
+    ("line_cue", include_str!("line/cue.rs")),
+    ("line_stream", include_str!("line/stream.rs")),
+    ("line_walk", include_str!("line/walk.rs")),
     ("linear_1", include_str!("interpolate/linear_1.rs")),
     ("linear_2", include_str!("interpolate/linear_2.rs")),
     (
@@ -36,6 +49,13 @@ pub fn source(name: &str) -> Option<&'static str> {
     // A frame memory is named after its size.
     if name.starts_with("frame_memory") {
         return Some(include_str!("depth/frame_memory.rs"));
+    }
+    // The memories of lines after their sizes, too.
+    if name.starts_with("colour_memory") {
+        return Some(include_str!("line/colour_memory.rs"));
+    }
+    if name.starts_with("weight_rom") {
+        return Some(include_str!("line/weight_rom.rs"));
     }
     SOURCES
         .iter()

@@ -8,6 +8,7 @@ use shadegate_hdl::depth::z_buffer::{ZBuffer, ZBufferInputs, ZBufferModel};
 use shadegate_hdl::format::{wrap, Q, U};
 use shadegate_hdl::interpolate::constant_1::{Constant1, Constant1Model};
 use shadegate_hdl::interpolate::constant_2::{Constant2, Constant2Model};
+use shadegate_hdl::interpolate::cubic_1::{Cubic1, Cubic1Model};
 use shadegate_hdl::interpolate::linear_1::{Linear1, Linear1Model};
 use shadegate_hdl::interpolate::linear_2::{Controls, Linear2, Linear2Model};
 use shadegate_hdl::interpolate::quadratic_1::{Quadratic1, Quadratic1Model};
@@ -92,6 +93,26 @@ fn quadratic_1() {
         s.clock();
         m.clock(32, load, run, start, step, bend);
         assert_eq!(s.design.value.val().code(), m.value >> 20, "clock {clock}");
+    }
+}
+
+#[test]
+fn cubic_1() {
+    let mut r = StdRng::seed_from_u64(13);
+    let mut s = Simulator::new(Cubic1::<11, 28>::default()).unwrap();
+    let mut m = Cubic1Model::default();
+    for clock in 0..CLOCKS {
+        let (load, run) = (r.random_ratio(1, 16), r.random_ratio(3, 4));
+        let words: [i64; 4] = std::array::from_fn(|_| word(&mut r, 40));
+        s.design.load.next = load;
+        s.design.run.next = run;
+        s.design.start.next = Q::from_code(words[0]);
+        s.design.step.next = Q::from_code(words[1]);
+        s.design.bend.next = Q::from_code(words[2]);
+        s.design.twist.next = Q::from_code(words[3]);
+        s.clock();
+        m.clock(40, load, run, words);
+        assert_eq!(s.design.value.val().code(), m.value >> 28, "clock {clock}");
     }
 }
 

@@ -5,10 +5,25 @@ use shadegate_hdl::depth::frame_memory::FrameMemory;
 use shadegate_hdl::depth::z_buffer::ZBuffer;
 use shadegate_hdl::interpolate::constant_1::Constant1;
 use shadegate_hdl::interpolate::constant_2::Constant2;
+use shadegate_hdl::interpolate::cubic_1::Cubic1;
 use shadegate_hdl::interpolate::linear_1::Linear1;
 use shadegate_hdl::interpolate::linear_2::Linear2;
 use shadegate_hdl::interpolate::quadratic_1::Quadratic1;
 use shadegate_hdl::interpolate::quadratic_2::Quadratic2;
+use shadegate_hdl::line::blend::Blend;
+use shadegate_hdl::line::box_filter::BoxCore;
+use shadegate_hdl::line::box_weight::BoxWeight;
+use shadegate_hdl::line::bresenham::BresenhamCore;
+use shadegate_hdl::line::colour_memory::ColourMemory;
+use shadegate_hdl::line::cone::ConeCore;
+use shadegate_hdl::line::cone_column::ConeColumns;
+use shadegate_hdl::line::cone_stages::ConeStages;
+use shadegate_hdl::line::cone_words::ConeWords;
+use shadegate_hdl::line::cue::Cue;
+use shadegate_hdl::line::place::LanePlace;
+use shadegate_hdl::line::stream::LineStream;
+use shadegate_hdl::line::walk::LineWalk;
+use shadegate_hdl::line::weight_rom::WeightRom;
 use shadegate_hdl::raster::edge_walk::EdgeWalk;
 use shadegate_hdl::raster::shell::Shell;
 use shadegate_hdl::shade::device::{GouraudNarrow, QuadraticDotsNarrow, QuadraticNarrow};
@@ -26,6 +41,7 @@ fn every_description_lists_its_ports() {
     check_ports(&Constant1::<11, 12>::default()).unwrap();
     check_ports(&Linear1::<11, 12>::default()).unwrap();
     check_ports(&Quadratic1::<11, 20>::default()).unwrap();
+    check_ports(&Cubic1::<11, 20>::default()).unwrap();
     check_ports(&Constant2::<24, 11, 12>::default()).unwrap();
     check_ports(&Linear2::<24, 11, 12>::default()).unwrap();
     check_ports(&Quadratic2::<32, 11, 20>::default()).unwrap();
@@ -43,6 +59,24 @@ fn every_description_lists_its_ports() {
     check_ports(&PhongColour::default()).unwrap();
     check_ports(&FragmentDelay::<6>::default()).unwrap();
     check_ports(&QuadraticDotsNarrow::new(1200)).unwrap();
+}
+
+#[test]
+fn every_description_of_lines_lists_its_ports() {
+    check_ports(&LineWalk::<17>::default()).unwrap();
+    check_ports(&LanePlace::<17>::default()).unwrap();
+    check_ports(&Cue::default()).unwrap();
+    check_ports(&BoxWeight::default()).unwrap();
+    check_ports(&WeightRom::<5>::default()).unwrap();
+    check_ports(&ConeWords::default()).unwrap();
+    check_ports(&ConeStages::default()).unwrap();
+    check_ports(&ConeColumns::<17, 4, 5>::default()).unwrap();
+    check_ports(&Blend::default()).unwrap();
+    check_ports(&ColourMemory::<6>::new(41)).unwrap();
+    check_ports(&LineStream::<6>::new(41)).unwrap();
+    check_ports(&BresenhamCore::<6>::default()).unwrap();
+    check_ports(&BoxCore::<6>::new(41)).unwrap();
+    check_ports(&ConeCore::<6>::new(41)).unwrap();
 }
 
 #[derive(LogicBlock, Default)]

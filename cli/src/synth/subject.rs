@@ -2,14 +2,14 @@
 
 use super::SynthArgs;
 use crate::cosim::failure;
-use crate::names::{core, hardware_method};
+use crate::names::{check_names, drawing, drawing_of, Drawing};
 use crate::outcome::Failure;
 use serde_json::{json, Value};
 use shadegate_gen::package::{rtl, PackageFile};
 use shadegate_gen::scene::{drawable, order_of, suited};
 use shadegate_gen::verilog::VerilogFile;
-use shadegate_reference::{scene, Method};
-use shadegate_testbench::cosim::{core_for, CosimError};
+use shadegate_reference::scene;
+use shadegate_testbench::cosim::CosimError;
 use shadegate_testbench::synthesis::Design;
 use std::path::Path;
 
@@ -31,28 +31,30 @@ pub fn subject(a: &SynthArgs, size: Option<(u32, u32)>) -> Result<Subject, Failu
     if let (Some(folder), Some(top)) = (&a.verilog, &a.top) {
         return verilog(folder, top);
     }
-    let (method, scene_size) = match (&a.scene, &a.core) {
+    let (drawn, scene_size) = match (&a.scene, &a.core) {
         (Some(file), _) => {
-            hardware_method(a.method.as_deref(), None, Method::Quadratic)?;
-            let scene = scene::load(file).map_err(Failure::input)?;
-            let method = hardware_method(a.method.as_deref(), None, scene.render.method)?;
+            check_names(a.method.as_deref(), None)?;
+            let mut scene = scene::load(file).map_err(Failure::input)?;
+            let drawing = drawing_of(a.method.as_deref(), None, &mut scene)?;
             drawable(&scene).map_err(Failure::input)?;
-            if let Some(order) = order_of(method) {
-                suited(&scene, order).map_err(Failure::input)?;
+            if let Drawing::Shaded(method) = drawing {
+                if let Some(order) = order_of(method) {
+                    suited(&scene, order).map_err(Failure::input)?;
+                }
             }
-            (method, (scene.image.width, scene.image.height))
+            (drawing, (scene.image.width, scene.image.height))
         }
         (None, Some(name)) if name.ends_with(".toml") => {
             return Err(Failure::input(format!(
                 "'{name}' is not a core; for a scene: shadegate synth --scene {name}"
             )));
         }
-        (None, Some(name)) => (core(name)?, FRAME),
+        (None, Some(name)) => (drawing(name)?, FRAME),
         // clap demands one of them.
         (None, None) => return Err(Failure::input("expected a core or --scene FILE")),
     };
     let (width, height) = size.unwrap_or(scene_size);
-    let core = core_for(method, width, height).map_err(failure)?;
+    let core = drawn.core(width, height).map_err(failure)?;
     let rtl = rtl(&core).map_err(|e| failure(CosimError::Package(e)))?;
     let file = |f: &VerilogFile| PackageFile {
         path: format!("rtl/{}", f.file_name()),

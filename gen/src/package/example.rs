@@ -1,7 +1,7 @@
-//! An integration example: a module that draws one triangle with the core, from words in a table.
+//! An integration example: a module that draws one triangle or line with the core, from words in a table.
 
 use super::timing::{cosines, material};
-use crate::stimulus::{build, StimulusError, StimulusOptions, Triangle};
+use crate::stimulus::{build, single_line, StimulusError, StimulusOptions, Triangle};
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::raster::{Point, Viewport, SUBPIXELS};
@@ -46,8 +46,17 @@ pub fn example(
 ) -> Result<String, StimulusError> {
     let (width, height) = size;
     let viewport = Viewport { width, height };
-    let one = [triangle(core.order, size)];
-    let stimulus = build(core, &one, viewport, &StimulusOptions::default())?;
+    let stimulus = match core.order {
+        Order::Line(filter) => single_line(filter, viewport, 1000)?,
+        _ => {
+            let one = [triangle(core.order, size)];
+            build(core, &one, viewport, &StimulusOptions::default())?
+        }
+    };
+    let (noun, memory, depth) = match core.order {
+        Order::Line(_) => ("line", "frame memory", "weight"),
+        _ => ("triangle", "depth memory", "depth"),
+    };
     let words: Vec<(u8, u64)> = stimulus
         .frame
         .iter()
@@ -66,7 +75,7 @@ pub fn example(
         );
     }
     Ok(format!(
-        "// {top}_example: draws one triangle with {top} whenever `go` is high and the core is idle.
+        "// {top}_example: draws one {noun} with {top} whenever `go` is high and the core is idle.
 //
 // The words are a table here; a design computes them, as the core's guide says, or has a processor write them.
 // The outputs are the write port of a frame buffer of {width} x {height} pixels that is never busy.
@@ -77,13 +86,13 @@ pub fn example(
 
 module {top}_example (
   input  wire clock,                             // Clock.
-  input  wire go,                                // Clears the depth memory and draws the triangle.
+  input  wire go,                                // Clears the {memory} and draws the {noun}.
   output wire idle,                              // A `go` would be taken.
-  output wire done,                              // Pulses for one clock when the triangle has been drawn.
+  output wire done,                              // Pulses for one clock when the {noun} has been drawn.
   output wire frame_write,                       // A pixel is written.
   output wire [20:0] frame_address,              // Its place in the frame buffer.
   output wire [23:0] frame_colour,               // Its colour: red, green, blue.
-  output wire [15:0] frame_depth                 // Its depth.
+  output wire [15:0] frame_depth                 // Its {depth}.
 );
 
   localparam [5:0] COUNT = 6'd{count};
@@ -102,7 +111,7 @@ module {top}_example (
   assign done = core_done && !writing;
   assign frame_address = {{10'd0, y}} * 21'd{width} + {{10'd0, x}};
 
-  // The words of the triangle, from Shadegate's set-up.
+  // The words of the {noun}, from Shadegate's set-up.
   always @* begin
     case (index)
 {table}      default: word = {word_bits}'d0;

@@ -1,5 +1,6 @@
 //! `manifest.json`: what a package is, for people and tools.
 
+use super::line;
 use super::registers::{registers, Register};
 use super::resources::{resources, Resources};
 use super::{PackageFile, Rtl, Target};
@@ -9,6 +10,7 @@ use crate::wrapper::{map, Wrapper};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use shadegate_hdl::shade::device::longest_run;
+use shadegate_hdl::shade::model::Order;
 use std::collections::BTreeMap;
 
 /// A port of the top module.
@@ -35,10 +37,10 @@ pub struct FormatEntry {
     pub width: usize,
 }
 
-/// Block RAM for the depth memory.
+/// Block RAM for the depth memory, or the frame memory of a line core.
 #[derive(Clone, Debug, Serialize)]
 pub struct BlockRam {
-    /// Kilobits that the depth memory holds.
+    /// Kilobits that the memory holds.
     pub needed_kbit: f64,
     /// Kilobits of the device, if one is named.
     pub available_kbit: Option<u32>,
@@ -84,7 +86,7 @@ pub struct Manifest {
     pub error_bound_lsb: f64,
     /// Columns and rows of the frame.
     pub frame: (u32, u32),
-    /// Depth memory.
+    /// Depth memory, or frame memory of a line core.
     pub block_ram: BlockRam,
     /// What was measured of the core's size.
     pub resources: Resources,
@@ -110,7 +112,7 @@ fn digest(text: &str) -> String {
     hash.iter().map(|b| format!("{b:02x}")).collect()
 }
 
-fn entry(int: usize, frac: usize) -> FormatEntry {
+pub(super) fn entry(int: usize, frac: usize) -> FormatEntry {
     FormatEntry {
         int,
         frac,
@@ -164,8 +166,11 @@ pub fn manifest(
             entry(shadegate_hdl::raster::ERROR_BITS - 1, 0),
         ),
     ];
-    let formats: BTreeMap<_, _> = own.chain(shared).collect();
-    let needed_kbit = core.pixels as f64 * 16.0 / 1024.0;
+    let formats: BTreeMap<_, _> = match core.order {
+        Order::Line(filter) => line::formats(filter),
+        _ => own.chain(shared).collect(),
+    };
+    let needed_kbit = core.memory_bits() as f64 / 1024.0;
     let available_kbit = target.map(|t| t.device.block_ram_total_kbit());
     Manifest {
         core: core.name().to_string(),

@@ -17,6 +17,7 @@
 mod build;
 mod example;
 mod fusesoc;
+mod line;
 mod makefile;
 mod manifest;
 mod readme;
@@ -57,7 +58,7 @@ pub enum PackageError {
     /// Device, board, period or bindings do not fit.
     #[error(transparent)]
     Constraints(#[from] ConstraintError),
-    /// A triangle of the package's own cannot be drawn: a defect of the generator.
+    /// A primitive of the package's own cannot be drawn: a defect of the generator.
     #[error("the package's example cannot be set up: {0}")]
     Example(#[from] StimulusError),
 }

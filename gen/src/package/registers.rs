@@ -2,6 +2,7 @@
 
 mod material;
 
+use super::line;
 use serde::Serialize;
 use shadegate_hdl::raster::{COLUMN_BITS, ERROR_BITS};
 use shadegate_hdl::shade::device::Core;
@@ -24,7 +25,7 @@ pub struct Field {
 pub struct Register {
     /// Select code that addresses this word alone: channel mask in bits 7 to 4, word number in bits 3 to 0.
     pub select: u8,
-    /// `shell`, `depth`, and `red`, `green`, `blue`, or `light`, `lobe`, `material`.
+    /// `shell` (the walk and the weights of a line core), `depth`, and `red`, `green`, `blue`, or `light`, `lobe`, `material`.
     pub target: &'static str,
     /// Word number.
     pub word: u8,
@@ -36,7 +37,7 @@ pub struct Register {
     pub format: String,
     /// What it means.
     pub meaning: &'static str,
-    /// `triangle`: double-buffered, taken with `start`. `frame`: taken at once, written while the core is idle.
+    /// `triangle`, `line`: double-buffered, taken with `start`. `frame`: taken at once, written while the core is idle.
     /// `material`: taken at once, written behind the fence.
     pub per: &'static str,
     /// Parts, high to low; empty where the word is one number.
@@ -74,11 +75,16 @@ const QUADRIC: [(&str, &str); 10] = [
 /// The whole map, in the order of the select codes of shell, red, green, blue, depth.
 #[must_use]
 pub fn registers(core: &Core) -> Vec<Register> {
+    if let Order::Line(filter) = core.order {
+        return line::registers(filter, core.address_bits());
+    }
     let mut all = shell(core);
     let quadric = &QUADRIC[..];
     let plane = &PLANE[..];
     let colours = match core.order {
-        Order::Linear => &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, plane))[..],
+        Order::Linear | Order::Line(_) => {
+            &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, plane))[..]
+        }
         Order::Quadratic => &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, quadric)),
         Order::QuadraticDots => &[("light", 1), ("lobe", 2)].map(|c| (c, quadric)),
     };
@@ -101,7 +107,7 @@ pub fn registers(core: &Core) -> Vec<Register> {
     all
 }
 
-fn channel(
+pub(super) fn channel(
     all: &mut Vec<Register>,
     target: &'static str,
     mask: u8,

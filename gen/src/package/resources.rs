@@ -3,8 +3,10 @@
 //! The figures are those of the README's table, made by `scripts/resources`; a configuration that is not here was not
 //! measured, and nothing is guessed for it.
 
+use super::line;
 use serde::Serialize;
 use shadegate_constraints::Device;
+use shadegate_hdl::line::Filter;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
 
@@ -58,7 +60,7 @@ const QUADRATIC_DOTS: [Measured; 1] = [Measured {
 /// The estimate in a manifest.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Resources {
-    /// Bits of the depth memory.
+    /// Bits of the depth memory, or of the frame memory of a line core.
     pub depth_memory_bits: u64,
     /// Multipliers that the description has, whatever they are made of.
     pub multipliers: u32,
@@ -72,21 +74,23 @@ pub struct Resources {
 #[must_use]
 pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Resources {
     let all = match core.order {
-        Order::Linear => &GOURAUD[..],
-        Order::Quadratic => &QUADRATIC,
-        Order::QuadraticDots => &QUADRATIC_DOTS,
+        Order::Linear => GOURAUD.to_vec(),
+        Order::Quadratic => QUADRATIC.to_vec(),
+        Order::QuadraticDots => QUADRATIC_DOTS.to_vec(),
+        Order::Line(filter) => line::measured(filter).to_vec(),
     };
     let rows: Vec<Measured> = all
-        .iter()
-        .copied()
+        .into_iter()
         .filter(|m| size == FRAME && device.is_none_or(|d| d.family == m.family))
         .collect();
     Resources {
         multipliers: match core.order {
             Order::Linear | Order::Quadratic => 0,
             Order::QuadraticDots => 7,
+            Order::Line(Filter::Bresenham) => 0,
+            Order::Line(Filter::Box | Filter::Cone) => 3,
         },
-        depth_memory_bits: core.pixels as u64 * 16,
+        depth_memory_bits: core.memory_bits(),
         tool: TOOL,
         measured: Some(rows).filter(|r| !r.is_empty()),
     }

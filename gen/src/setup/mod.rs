@@ -6,12 +6,14 @@
 //! exceed the register: the residue is stored, and because registers only ever add, the value at a covered pixel (which
 //! does fit) comes out right. See `shadegate_hdl::shade::quadratic`.
 
+mod line;
 mod plane;
 mod power;
 mod quadric;
 mod rational;
 mod shell;
 
+pub use line::{cue_words, line_words, MAX_COLUMNS, MAX_PIECE};
 pub use plane::plane_words;
 pub use power::{lobe_scale, power_words};
 pub use quadric::quadric_words;

@@ -42,10 +42,10 @@ impl Default for StimulusOptions {
     }
 }
 
-/// The writes of one triangle; the last one carries `start`.
+/// The writes of one triangle, or of one piece of a line; the last one carries `start`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Primitive {
-    /// Index in the list of triangles.
+    /// Index in the list of triangles or lines.
     pub triangle: usize,
     /// (select, data) in order.
     pub writes: Vec<(u8, u64)>,
@@ -66,10 +66,12 @@ pub struct Stimulus {
     pub skipped_uncovered: u64,
 }
 
-/// A triangle that the core cannot draw.
+/// A triangle or line that the core cannot draw.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("triangle {index} ({label}): {what}")]
+#[error("{primitive} {index} ({label}): {what}")]
 pub struct StimulusError {
+    /// `triangle` or `line`.
+    pub primitive: &'static str,
     /// Index in the list.
     pub index: usize,
     /// Where it comes from.
@@ -185,6 +187,7 @@ fn channel_words(
             w.colours(&c, writes);
         }
         Order::QuadraticDots => w.dots(core, t, &frame, writes)?,
+        Order::Line(_) => return Err("a line core draws no triangles".to_owned()),
     }
     for (word, data) in depth_words(t, &frame)?.into_iter().enumerate() {
         let target = 0x80 | word as u8;
@@ -222,6 +225,7 @@ pub fn build(
         };
         let mut writes = vec![];
         let error = |what| StimulusError {
+            primitive: "triangle",
             index,
             label: t.label.clone(),
             what,

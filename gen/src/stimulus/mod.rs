@@ -2,10 +2,14 @@
 
 mod build;
 mod host;
+mod lines;
 mod material;
 mod sample;
+mod sample_lines;
 
 pub use build::{build, Primitive, Stimulus, StimulusError, StimulusOptions, Triangle};
 pub use host::{Host, Step};
+pub use lines::{build_lines, Line};
 pub use material::Material;
-pub use sample::sample_triangles;
+pub use sample::{sample, sample_triangles};
+pub use sample_lines::{sample_lines, single_line};

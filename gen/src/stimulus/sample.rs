@@ -1,15 +1,16 @@
 //! Triangles for a core that is generated without a scene: enough to exercise every register and every case of the walk.
 
-use super::{Material, Triangle};
+use super::{build, sample_lines, Material, Stimulus, StimulusError, StimulusOptions, Triangle};
+use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::raster::{Point, Viewport, SUBPIXELS};
 
 /// A small linear congruential generator (Knuth's MMIX constants): vectors must be the same on every machine and in
 /// every release, which no general-purpose generator promises.
-struct Draw(u64);
+pub(super) struct Draw(pub(super) u64);
 
 impl Draw {
-    fn below(&mut self, limit: u64) -> u64 {
+    pub(super) fn below(&mut self, limit: u64) -> u64 {
         self.0 = self
             .0
             .wrapping_mul(6_364_136_223_846_793_005)
@@ -33,6 +34,22 @@ const MATERIALS: [Material; 2] = [
         shininess: 90.5,
     },
 ];
+/// The writes that exercise a core: of `count` triangles, or lines.
+///
+/// # Errors
+/// When one cannot be set up, which no valid frame causes.
+pub fn sample(
+    core: &Core,
+    viewport: Viewport,
+    count: usize,
+    seed: u64,
+) -> Result<Stimulus, StimulusError> {
+    if let Order::Line(filter) = core.order {
+        return sample_lines(filter, viewport, count, seed);
+    }
+    let triangles = sample_triangles(core.order, viewport, count, seed);
+    build(core, &triangles, viewport, &StimulusOptions::default())
+}
 
 /// `count` triangles of mixed size and shape in (and a little around) the frame: both orientations, level edges,
 /// slivers, single pixels, shared corners, overlapping depths.
@@ -75,7 +92,7 @@ pub fn sample_triangles(
         let mut knot = |_| {
             let at = std::array::from_fn(|_| draw.below(256) as f64);
             match order {
-                Order::Linear | Order::Quadratic => at,
+                Order::Linear | Order::Quadratic | Order::Line(_) => at,
                 // Cosines from -0.5 to 1.
                 Order::QuadraticDots => [at[0] / 170.0 - 0.5, at[1] / 170.0 - 0.5, 0.0],
             }

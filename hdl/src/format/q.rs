@@ -5,7 +5,7 @@ use fixed::types::I64F64;
 use rust_hdl_core::prelude::*;
 use std::ops::{Add, Not, Sub};
 
-/// A signed word Q`M`.`N`: a sign, `M` integer bits and `N` fraction bits, `1 + M + N` bits in all (at most 63).
+/// A signed word Q`M`.`N`: a sign, `M` integer bits and `N` fraction bits, `1 + M + N` bits in all (at most 64).
 /// The value is code · 2^−N; the range −2^M to 2^M − 2^−N. Arithmetic on codes is modulo 2^(1+M+N).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Q<const M: usize, const N: usize>(i64);
@@ -53,7 +53,7 @@ impl<const M: usize, const N: usize> Q<M, N> {
 /// `None` when the value is not finite or does not fit: quantisation refuses, it never wraps.
 #[must_use]
 pub fn quantise(value: f64, m: u32, n: u32) -> Option<i64> {
-    assert!(m + n < 63 && n < 64, "formats have at most 63 bits");
+    assert!(m + n < 64, "formats have at most 64 bits");
     // An f64 of this size is exact in 64.64 unless it is below 2^-64, far under half an ulp.
     let exact = I64F64::checked_from_num(value)?;
     let half = 1i128 << (63 - n);

@@ -4,7 +4,7 @@ use super::{literal, mask, waveform};
 use rust_hdl_core::prelude::*;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Not, Shl, Shr, Sub};
 
-/// An unsigned word of `N` bits (1 to 63); arithmetic is modulo 2^N.
+/// An unsigned word of `N` bits (1 to 64); arithmetic is modulo 2^N.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct U<const N: usize>(u64);
 

@@ -80,6 +80,7 @@ impl Core {
             Order::Linear => "gouraud",
             Order::Quadratic => "quadratic",
             Order::QuadraticDots => "quadratic-dots",
+            Order::Line(filter) => filter.core_name(),
         }
     }
 
@@ -94,7 +95,9 @@ impl Core {
     pub fn formats(&self) -> Vec<(&'static str, usize, usize)> {
         let n = self.fraction_bits();
         match self.order {
-            Order::Linear | Order::Quadratic => vec![("colour", COLOUR_INTEGER_BITS, n)],
+            Order::Linear | Order::Quadratic | Order::Line(_) => {
+                vec![("colour", COLOUR_INTEGER_BITS, n)]
+            }
             Order::QuadraticDots => vec![
                 ("light", LIGHT_INTEGER_BITS, LIGHT_FRACTION_BITS + n),
                 ("lobe", PLACE_INTEGER_BITS, PLACE_FRACTION_BITS + n),
@@ -112,6 +115,7 @@ impl Core {
             (Order::Linear, true) => 14,
             (Order::QuadraticDots, false) => 15,
             (Order::QuadraticDots, true) => 19,
+            (Order::Line(_), _) => crate::line::cue::FRACTION_BITS,
         }
     }
 
@@ -121,7 +125,18 @@ impl Core {
         5 + match self.order {
             Order::Linear | Order::Quadratic => 0,
             Order::QuadraticDots => STAGES as u32,
+            Order::Line(filter) => return filter.latency(),
         }
+    }
+
+    /// Bits of the depth memory, or of the frame memory of a line core.
+    #[must_use]
+    pub fn memory_bits(&self) -> u64 {
+        let per_pixel = match self.order {
+            Order::Line(filter) => filter.memory_bits(),
+            _ => 16,
+        };
+        self.pixels as u64 * per_pixel
     }
 
     /// Width of the register bus.
@@ -147,12 +162,13 @@ impl Core {
     pub fn error_bound(&self, run: u32) -> f64 {
         let n = f64::from(run);
         let words = match self.order {
-            Order::Linear => 1.0 + n,
+            Order::Linear | Order::Line(_) => 1.0 + n,
             Order::Quadratic | Order::QuadraticDots => 1.0 + n * (n + 1.0) / 2.0,
         };
         let unit = words / 2f64.powi(self.fraction_bits() as i32 + 1);
         match self.order {
             Order::Linear | Order::Quadratic => unit,
+            Order::Line(filter) => filter.error_bound(run),
             Order::QuadraticDots => {
                 let light = 2f64.powi(-(LIGHT_FRACTION_BITS as i32));
                 let lobe = STEEPEST * 2f64.powi(-(PLACE_FRACTION_BITS as i32));
@@ -181,6 +197,8 @@ impl Core {
             (Order::Linear, true) => f.visit(GouraudWide::new(self.pixels)),
             (Order::QuadraticDots, false) => f.visit(QuadraticDotsNarrow::new(self.pixels)),
             (Order::QuadraticDots, true) => f.visit(QuadraticDotsWide::new(self.pixels)),
+            (Order::Line(filter), false) => filter.with_design::<17, R>(self.pixels, f),
+            (Order::Line(filter), true) => filter.with_design::<21, R>(self.pixels, f),
         }
     }
 }

@@ -9,6 +9,8 @@ use crate::depth::z_buffer::{ZBufferInputs, ZBufferModel};
 use crate::format::mask;
 use crate::interpolate::linear_2::{Controls, Linear2Model};
 use crate::interpolate::quadratic_2::Quadratic2Model;
+use crate::line::model::LineModel;
+use crate::line::Filter;
 use crate::raster::shell::{ShellInputs, ShellModel};
 
 /// Which interpolant a core has per colour channel.
@@ -20,6 +22,8 @@ pub enum Order {
     Quadratic,
     /// Quadrics of two cosines, the reflection model per pixel: the quadratic-dots core.
     QuadraticDots,
+    /// Lines instead of triangles: the line cores.
+    Line(Filter),
 }
 
 /// What a core sees in one clock.
@@ -102,7 +106,7 @@ struct Reflection {
 impl Reflection {
     fn of(order: Order) -> Option<Self> {
         let stages = match order {
-            Order::Linear | Order::Quadratic => return None,
+            Order::Linear | Order::Quadratic | Order::Line(_) => return None,
             Order::QuadraticDots => STAGES,
         };
         Some(Self {
@@ -124,7 +128,9 @@ pub fn bus_bits(order: Order, fraction_bits: usize) -> usize {
 /// Widths of a core's three interpolants beside depth.
 fn interpolant_bits(order: Order, fraction_bits: usize) -> [usize; 3] {
     match order {
-        Order::Linear | Order::Quadratic => [1 + COLOUR_INTEGER_BITS + fraction_bits; 3],
+        Order::Linear | Order::Quadratic | Order::Line(_) => {
+            [1 + COLOUR_INTEGER_BITS + fraction_bits; 3]
+        }
         Order::QuadraticDots => [
             1 + LIGHT_INTEGER_BITS + LIGHT_FRACTION_BITS + fraction_bits,
             1 + PLACE_INTEGER_BITS + PLACE_FRACTION_BITS + fraction_bits,
@@ -137,6 +143,8 @@ fn interpolant_bits(order: Order, fraction_bits: usize) -> [usize; 3] {
 /// State of a core.
 #[derive(Clone, Debug)]
 pub struct CoreModel {
+    /// The whole of a line core; the fields below then stand still.
+    line: Option<Box<LineModel>>,
     fraction_bits: usize,
     bus_bits: usize,
     shell: ShellModel,
@@ -156,13 +164,18 @@ impl CoreModel {
     /// A core at power-up; colours have `fraction_bits`, frame addresses `address_bits`, the depth memory `pixels` words.
     #[must_use]
     pub fn new(order: Order, fraction_bits: usize, address_bits: usize, pixels: usize) -> Self {
+        let line = match order {
+            Order::Line(filter) => Some(LineModel::new(filter, address_bits, pixels).into()),
+            _ => None,
+        };
         let channel = match order {
-            Order::Linear => Channel::Linear(Linear2Model::default()),
+            Order::Line(_) | Order::Linear => Channel::Linear(Linear2Model::default()),
             Order::Quadratic | Order::QuadraticDots => {
                 Channel::Quadratic(Quadratic2Model::default())
             }
         };
         Self {
+            line,
             fraction_bits,
             bus_bits: bus_bits(order, fraction_bits),
             shell: ShellModel::new(address_bits),
@@ -209,6 +222,9 @@ impl CoreModel {
     /// The outputs of the current state.
     #[must_use]
     pub fn outputs(&self) -> CoreOutputs {
+        if let Some(line) = &self.line {
+            return line.outputs();
+        }
         let shell = self.shell.outputs(&ShellInputs::default());
         let busy = self.busy(shell.busy);
         CoreOutputs {
@@ -226,7 +242,10 @@ impl CoreModel {
     /// Ordinal (from 1, counting starts since power-up) of the triangle that the offered pixel belongs to.
     #[must_use]
     pub fn ordinal(&self) -> u64 {
-        self.out.ordinal
+        match &self.line {
+            Some(line) => line.ordinal(),
+            None => self.out.ordinal,
+        }
     }
 
     /// The accumulators of the pixel registers: red, green, blue, depth codes.
@@ -238,6 +257,9 @@ impl CoreModel {
 
     /// One clock edge; the outputs after it are those of [`CoreModel::outputs`].
     pub fn clock(&mut self, i: &CoreInputs) {
+        if let Some(line) = &mut self.line {
+            return line.clock(i);
+        }
         let si = self.shell_inputs(i);
         let so = self.shell.outputs(&si);
         let busy = self.busy(so.busy);

@@ -24,17 +24,84 @@ const CELL_BITS: u32 = 5;
 /// Address bits and full level of the table of weights: an error of less than one LSB.
 const TABLE: (u32, u16) = (8, 255);
 
+/// The table of weights that cone-filtered wires are drawn with.
+#[must_use]
+pub fn table() -> Table {
+    Table::new(TABLE.0, TABLE.1)
+}
+
 /// Draws the wires over a frame.
 pub fn draw(wires: &Wires, frame: &mut Frame) {
-    let hidden = hidden_parts(wires, frame.width, frame.height);
+    let table = table();
+    for s in strokes(wires, frame.width, frame.height) {
+        s.pixels(wires.filter, &table, |x, p, level| {
+            let inside =
+                (0..frame.width as i32).contains(&p.x) && (0..frame.height as i32).contains(&p.y);
+            if inside {
+                let pixel = &mut frame.pixels[p.y as usize * frame.width as usize + p.x as usize];
+                *pixel = blend(*pixel, s.colour_at(x), level, table.full());
+            }
+        });
+    }
+}
+
+/// An edge as it is drawn: a walk, the colour along it, and which of its columns are seen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stroke {
+    /// The walk.
+    pub path: Path,
+    /// Colour before depth cueing, LSB.
+    pub colour: [f64; 3],
+    /// Factor of the colour along the walk.
+    pub ramp: Ramp,
+    /// For every column of the walk, whether it is drawn.
+    pub visible: Vec<bool>,
+    /// Index of the edge.
+    pub edge: usize,
+}
+
+impl Stroke {
+    /// The colour of a column.
+    #[must_use]
+    pub fn colour_at(&self, x: i32) -> [u8; 3] {
+        self.colour.map(|c| to_byte(c * self.ramp.at(x)))
+    }
+
+    /// Calls `put(column, pixel, level)` for every pixel of the visible columns whose level is not 0; pixels may lie
+    /// outside the frame.
+    pub fn pixels(&self, filter: LineFilter, table: &Table, mut put: impl FnMut(i32, Pixel, u16)) {
+        let path = &self.path;
+        let mut put = |p: Pixel, level: u16| {
+            let x = if path.steep {
+                p.y - path.place(0, 0).y
+            } else {
+                p.x - path.place(0, 0).x
+            };
+            if level != 0 && self.visible.get(x as usize) == Some(&true) {
+                put(x, p, level);
+            }
+        };
+        match filter {
+            LineFilter::Bresenham => bresenham::pixels(path).for_each(|p| put(p, table.full())),
+            LineFilter::Box => box_filter::pixels(path)
+                .for_each(|(p, w)| put(p, (w * f64::from(table.full())).round() as u16)),
+            LineFilter::Cone => cone::pixels(path, cone::Fourth::NearDiagonal)
+                .for_each(|(p, d)| put(p, table.level(d))),
+        }
+    }
+}
+
+/// What is drawn for the wires in a frame, far ones first; of equals, in their order.
+#[must_use]
+pub fn strokes(wires: &Wires, width: u32, height: u32) -> Vec<Stroke> {
+    let hidden = hidden_parts(wires, width, height);
     let nearest = |e: &WireEdge| e.sight.nearness[0].max(e.sight.nearness[1]);
     let mut order: Vec<usize> = (0..wires.edges.len()).collect();
-    // Far ones first; of equals, in their order.
     order.sort_by(|a, b| nearest(&wires.edges[*a]).total_cmp(&nearest(&wires.edges[*b])));
-    let table = Table::new(TABLE.0, TABLE.1);
-    for i in order {
-        edge(wires, &wires.edges[i], &hidden[i], &table, frame);
-    }
+    order
+        .into_iter()
+        .filter_map(|i| stroke(wires, i, &hidden[i]))
+        .collect()
 }
 
 /// For every edge the intervals of t in which it is hidden, in no order and possibly overlapping. Only what is hidden
@@ -53,15 +120,14 @@ pub fn hidden_parts(wires: &Wires, width: u32, height: u32) -> Vec<Vec<[f64; 2]>
     parallel::map(wires.edges.len(), find)
 }
 
-fn edge(wires: &Wires, e: &WireEdge, hidden: &[[f64; 2]], table: &Table, frame: &mut Frame) {
+fn stroke(wires: &Wires, edge: usize, hidden: &[[f64; 2]]) -> Option<Stroke> {
+    let e = &wires.edges[edge];
     let [from, to] = e.sight.ends.map(|p| Pixel {
         x: p.x >> SUBPIXEL_BITS,
         y: p.y >> SUBPIXEL_BITS,
     });
     // Snapped positions are well within the limit of paths.
-    let Some(path) = Path::new(from, to) else {
-        return;
-    };
+    let path = Path::new(from, to)?;
     let forward = path.starts_at(from);
     let factor = e.depth.map(|z| wires.cue.factor(z, wires.depth_range));
     let [first, last] = if forward {
@@ -69,36 +135,19 @@ fn edge(wires: &Wires, e: &WireEdge, hidden: &[[f64; 2]], table: &Table, frame: 
     } else {
         [factor[1], factor[0]]
     };
-    let ramp = Ramp::new(first, last, path.major);
     let columns = f64::from(path.major) + 1.0;
     let visible = |x: i32| {
         let t = (f64::from(x) + 0.5) / columns;
         let t = if forward { t } else { 1.0 - t };
         !hidden.iter().any(|[a, b]| (*a..=*b).contains(&t))
     };
-    let visible: Vec<bool> = (0..=path.major).map(visible).collect();
-    let mut put = |p: Pixel, level: u16| {
-        let x = if path.steep {
-            p.y - path.place(0, 0).y
-        } else {
-            p.x - path.place(0, 0).x
-        };
-        let inside =
-            (0..frame.width as i32).contains(&p.x) && (0..frame.height as i32).contains(&p.y);
-        if !inside || level == 0 || !visible[x as usize] {
-            return;
-        }
-        let colour = e.colour.map(|c| to_byte(c * ramp.at(x)));
-        let pixel = &mut frame.pixels[p.y as usize * frame.width as usize + p.x as usize];
-        *pixel = blend(*pixel, colour, level, table.full());
-    };
-    match wires.filter {
-        LineFilter::Bresenham => bresenham::pixels(&path).for_each(|p| put(p, table.full())),
-        LineFilter::Box => box_filter::pixels(&path)
-            .for_each(|(p, w)| put(p, (w * f64::from(table.full())).round() as u16)),
-        LineFilter::Cone => cone::pixels(&path, cone::Fourth::NearDiagonal)
-            .for_each(|(p, d)| put(p, table.level(d))),
-    }
+    Some(Stroke {
+        path,
+        colour: e.colour,
+        ramp: Ramp::new(first, last, path.major),
+        visible: (0..=path.major).map(visible).collect(),
+        edge,
+    })
 }
 
 /// Faces by the cells of the screen that their bounding boxes touch. What lies beside the screen counts to the cells at

@@ -1,6 +1,6 @@
 //! Frames from pixel streams, and the arithmetic error of every pixel that a core hands over.
 
-use super::Prelude;
+use super::{lines, Prelude};
 use shadegate_gen::stimulus::Triangle;
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::{shade, to_byte, Prepared};
@@ -76,6 +76,9 @@ fn reflected(t: &Triangle, [light, half, _]: [f64; 3]) -> [f64; 3] {
 
 /// Compares every pixel handed over (also those that nearer ones replace later) with the f64 oracle.
 pub fn fragment_error(p: &Prelude) -> FragmentError {
+    if matches!(p.trace.core.order, Order::Line(_)) {
+        return lines::fragment_error(p);
+    }
     let mut out = FragmentError::default();
     let mut sum = 0.0;
     for pixel in &p.trace.pixels {
@@ -95,6 +98,8 @@ pub fn fragment_error(p: &Prelude) -> FragmentError {
                 let cosines = shade::quadratic::value(&t.position, &knots, x, y);
                 reflected(t, cosines)
             }
+            // Judged above.
+            Order::Line(_) => continue,
         };
         for (want, got) in value.into_iter().zip(pixel.rgb) {
             let d = to_byte(want).abs_diff(got);

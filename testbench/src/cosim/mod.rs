@@ -1,6 +1,7 @@
 //! The main job: scene → set-up → stimulus → engine → frame → judgement.
 
 mod frames;
+mod lines;
 mod report;
 mod write;
 
@@ -10,12 +11,16 @@ use crate::compare::{compare, Rgb8Ref};
 use crate::engine::{run, Engine, EngineError, Wave};
 use frames::Frames;
 use shadegate_gen::package::{package, rtl, Package, PackageError};
-use shadegate_gen::scene::{drawable, order_of, suited, triangles_of, Undrawable, Unsuited, CORES};
-use shadegate_gen::stimulus::{build, StimulusError, StimulusOptions};
+use shadegate_gen::scene::{
+    self, drawable, line_order, order_of, suited, triangles_of, Undrawable, Unsuited, CORES,
+};
+use shadegate_gen::stimulus::{build, build_lines, Line, StimulusError, StimulusOptions};
 use shadegate_gen::vectors::Trace;
 use shadegate_gen::write::WriteError;
 use shadegate_hdl::shade::device::{Core, MAX_HEIGHT, MAX_WIDTH};
+use shadegate_hdl::shade::model::Order;
 use shadegate_reference::antialias::Antialias;
+use shadegate_reference::line::LineFilter;
 use shadegate_reference::raster::Viewport;
 use shadegate_reference::scene::Draw;
 use shadegate_reference::{render, Method, Prepared, RenderOptions, Scene, SceneError, Skips};
@@ -25,7 +30,7 @@ use std::time::Instant;
 /// What to run.
 #[derive(Clone, Debug)]
 pub struct CosimOptions {
-    /// Shading method; it must have a core.
+    /// Shading method; it must have a core. Wireframes are drawn by the core of the scene's filter of lines instead.
     pub method: Method,
     /// Engine.
     pub engine: Engine,
@@ -56,9 +61,14 @@ pub enum CosimError {
     /// The method has no core.
     #[error("method '{0}' has no core; cores: {cores}", cores = CORES.map(|c| c.0).join(", "))]
     NoCore(Method),
-    /// Edges instead of faces.
-    #[error("object[{0}] of the scene is a wireframe, which no core draws; expected draw = 'shaded' for every object")]
-    Wireframe(usize),
+    /// Edges and faces.
+    #[error("object[{wireframe}] of the scene is a wireframe and object[{shaded}] is shaded, and no core draws both; expected the same draw for every object")]
+    Mixture {
+        /// The first wireframe.
+        wireframe: usize,
+        /// The first other object.
+        shaded: usize,
+    },
     /// Anti-aliasing.
     #[error(
         "the scene asks for antialias = '{0}', which no core draws; expected antialias = 'none'"
@@ -75,7 +85,7 @@ pub enum CosimError {
         /// Rows.
         height: u32,
     },
-    /// A triangle exceeds the core's formats.
+    /// A triangle or line exceeds the core's formats.
     #[error(transparent)]
     Stimulus(#[from] StimulusError),
     /// The Verilog cannot be emitted: a defect.
@@ -104,6 +114,31 @@ pub fn core_for(method: Method, width: u32, height: u32) -> Result<Core, CosimEr
     Core::for_frame(order, width, height).ok_or(CosimError::TooLarge { width, height })
 }
 
+/// The core for a filter of lines and a frame.
+///
+/// # Errors
+/// Frames beyond the coordinate range.
+pub fn line_core_for(filter: LineFilter, width: u32, height: u32) -> Result<Core, CosimError> {
+    Core::for_frame(line_order(filter), width, height).ok_or(CosimError::TooLarge { width, height })
+}
+
+/// Whether a scene is drawn by a line core: all its objects are wireframes.
+///
+/// # Errors
+/// Scenes of wireframes and shaded objects.
+pub fn is_wireframe(scene: &Scene) -> Result<bool, CosimError> {
+    let of = |wire: bool| {
+        scene
+            .objects
+            .iter()
+            .position(|o| (o.draw == Draw::Wireframe) == wire)
+    };
+    match (of(true), of(false)) {
+        (Some(wireframe), Some(shaded)) => Err(CosimError::Mixture { wireframe, shaded }),
+        (wireframe, _) => Ok(wireframe.is_some()),
+    }
+}
+
 /// Everything that is known before an engine runs.
 pub struct Prelude {
     /// The prepared scene.
@@ -116,6 +151,8 @@ pub struct Prelude {
     pub host: HostReport,
     /// Triangles as the core sees them.
     pub triangles: Vec<shadegate_gen::stimulus::Triangle>,
+    /// Lines as a line core sees them.
+    pub lines: Vec<Line>,
     setup_ns: u64,
     emit_ns: u64,
 }
@@ -132,13 +169,28 @@ pub fn prelude(
 ) -> Result<Prelude, CosimError> {
     let begin = Instant::now();
     let (width, height) = size.unwrap_or((scene.image.width, scene.image.height));
-    let core = core_for(method, width, height)?;
+    let wires = is_wireframe(scene)?;
+    let core = if wires {
+        line_core_for(scene.render.line, width, height)?
+    } else {
+        core_for(method, width, height)?
+    };
     refuse(scene)?;
     drawable(scene)?;
     suited(scene, core.order)?;
     let prepared = Prepared::new(scene, Some((width, height)), &Skips::all())?;
-    let triangles = triangles_of(&prepared, method);
-    let stimulus = build(&core, &triangles, Viewport { width, height }, stimulus)?;
+    let viewport = Viewport { width, height };
+    let (mut triangles, mut lines) = (vec![], vec![]);
+    let stimulus = match core.order {
+        Order::Line(filter) => {
+            lines = scene::lines(&prepared);
+            build_lines(filter, &lines, viewport, prepared.background, stimulus)?
+        }
+        _ => {
+            triangles = triangles_of(&prepared, method);
+            build(&core, &triangles, viewport, stimulus)?
+        }
+    };
     let setup_ns = begin.elapsed().as_nanos() as u64;
     let trace = Trace::record(core, &stimulus, |_| true);
     let begin = Instant::now();
@@ -151,6 +203,7 @@ pub fn prelude(
         package,
         host,
         triangles,
+        lines,
         setup_ns,
         emit_ns,
     })
@@ -158,9 +211,6 @@ pub fn prelude(
 
 /// Refuses scenes with anything that software alone draws.
 fn refuse(scene: &Scene) -> Result<(), CosimError> {
-    if let Some(i) = scene.objects.iter().position(|o| o.draw == Draw::Wireframe) {
-        return Err(CosimError::Wireframe(i));
-    }
     match scene.render.antialias {
         Antialias::None => Ok(()),
         a => Err(CosimError::Antialias(a)),

@@ -8,6 +8,7 @@ use serde::Serialize;
 use shadegate_gen::stimulus::Stimulus;
 use shadegate_gen::vectors::Trace;
 use shadegate_hdl::shade::device::longest_run;
+use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::{DEPTH_FRACTION_BITS, DEPTH_INTEGER_BITS};
 use std::collections::BTreeMap;
 
@@ -49,7 +50,7 @@ pub struct FirstMismatch {
     pub got: u64,
     /// Pixel that the model shows in this clock.
     pub pixel: (u32, u32),
-    /// Its triangle.
+    /// Its triangle or line.
     pub triangle: Option<String>,
     /// A command that shows the clocks around it.
     pub reproduce: String,
@@ -67,7 +68,7 @@ pub struct FormatReport {
 /// What the host sent and what it left out.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct HostReport {
-    /// Triangles sent.
+    /// Triangles, or pieces of lines, sent.
     pub triangles: u64,
     /// Register writes sent.
     pub writes: u64,
@@ -78,13 +79,17 @@ pub struct HostReport {
 impl HostReport {
     /// Counts of a stimulus and its run.
     pub(super) fn new(s: &Stimulus, t: &Trace) -> Self {
+        let uncovered = match t.core.order {
+            Order::Line(_) => "unseen-lines",
+            _ => "uncovered-triangles",
+        };
         Self {
             triangles: s.primitives.len() as u64,
             writes: t.writes,
             skipped: BTreeMap::from([
                 ("unchanged-words", s.skipped_unchanged),
                 ("broadcast-words", s.skipped_broadcast),
-                ("uncovered-triangles", s.skipped_uncovered),
+                (uncovered, s.skipped_uncovered),
             ]),
         }
     }
@@ -189,9 +194,11 @@ fn first_mismatch(i: &Inputs) -> Option<FirstMismatch> {
         .pixels
         .iter()
         .find(|p| p.clock as u64 >= first.cycle);
-    let triangle = near
-        .and_then(|p| i.prelude.triangles.get(p.triangle))
-        .map(|t| t.label.clone());
+    let label = |index: usize| {
+        let triangle = i.prelude.triangles.get(index).map(|t| t.label.clone());
+        triangle.or_else(|| i.prelude.lines.get(index).map(|l| l.label.clone()))
+    };
+    let triangle = near.and_then(|p| label(p.triangle));
     let (from, to) = (first.cycle.saturating_sub(WINDOW), first.cycle + WINDOW);
     Some(FirstMismatch {
         cycle: first.cycle,
@@ -218,7 +225,10 @@ impl CosimReport {
         let own = own.map(|(name, int, frac)| (name, format(int, frac)));
         Self {
             scene: i.scene_name.to_string(),
-            method: i.options.method.to_string(),
+            method: match core.order {
+                Order::Line(_) => core.name().to_string(),
+                _ => i.options.method.to_string(),
+            },
             core: core.name().to_string(),
             engine: i.options.engine.to_string(),
             width,
@@ -241,9 +251,18 @@ impl CosimReport {
                 ("rms_lsb", i.fragments.rms_lsb),
             ]),
             error_bound_lsb: core.error_bound(longest_run(width, height).unwrap_or(u32::MAX)),
-            formats: own
-                .chain([("depth", format(DEPTH_INTEGER_BITS, DEPTH_FRACTION_BITS))])
-                .collect(),
+            formats: match core.order {
+                Order::Line(_) => p
+                    .package
+                    .manifest
+                    .formats
+                    .iter()
+                    .map(|(name, f)| (*name, format(f.int, f.frac)))
+                    .collect(),
+                _ => own
+                    .chain([("depth", format(DEPTH_INTEGER_BITS, DEPTH_FRACTION_BITS))])
+                    .collect(),
+            },
             host: p.host.clone(),
             time_ns: TimeReport {
                 setup: p.setup_ns,

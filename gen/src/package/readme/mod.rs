@@ -3,6 +3,7 @@
 mod tables;
 
 use super::build::nextpnr_options;
+use super::line;
 use super::{Manifest, Target};
 use shadegate_constraints::Format;
 use shadegate_hdl::shade::device::Core;
@@ -18,6 +19,7 @@ pub fn readme(m: &Manifest, core: &Core, target: Option<Target>, example: &str) 
         Order::QuadraticDots => {
             "quadrics of N·L and N·H through six knots, and the light that the material reflects per pixel"
         }
+        Order::Line(_) => "lines",
     };
     let place = match (&m.target, &m.board) {
         (Some(part), Some(board)) => {
@@ -26,26 +28,36 @@ pub fn readme(m: &Manifest, core: &Core, target: Option<Target>, example: &str) 
         (Some(part), None) => format!(" Its constraints and scripts are for {part}."),
         _ => String::new(),
     };
+    let about = match core.order {
+        Order::Line(filter) => line::about(filter, m.frame),
+        _ => format!(
+            "A triangle shading core in Verilog, for frames of {columns}x{rows} pixels. A host writes the words of a \
+             triangle into registers and says `start`; the core walks the triangle row by row, one pixel per clock, \
+             with {colour}, tests each pixel against its depth memory and hands over those that are visible."
+        ),
+    };
+    let noun = line::noun(core);
     let sections = [
         format!(
             "# {top}\n\n\
-             A triangle shading core in Verilog, for frames of {columns}x{rows} pixels. A host writes the words of a \
-             triangle into registers and says `start`; the core walks the triangle row by row, one pixel per clock, \
-             with {colour}, tests each pixel against its depth memory and hands over those that are visible.{place}\n\n\
+             {about}{place}\n\n\
              {}, configuration {}. Everything here is made by the generator; change it there.\n",
             m.generator, m.configuration
         ),
         tables::contents(m),
         tables::ports(m),
-        tables::registers(m),
+        match core.order {
+            Order::Line(_) => tables::line_registers(m),
+            _ => tables::registers(m),
+        },
         tables::wrappers(m),
-        timing(m),
+        timing(m, noun),
         formats(m),
         simulation(m),
         synthesis(m, target),
         tables::resources(m),
         format!(
-            "## Example\n\n`example/{top}_example.v` draws one triangle into the write port of a frame buffer:\n\n\
+            "## Example\n\n`example/{top}_example.v` draws one {noun} into the write port of a frame buffer:\n\n\
              ```verilog\n{example}```\n"
         ),
         "## Licence\n\nMIT or Apache 2.0, at your choice: SPDX-License-Identifier: MIT OR Apache-2.0.\n".to_owned(),
@@ -54,18 +66,28 @@ pub fn readme(m: &Manifest, core: &Core, target: Option<Target>, example: &str) 
     filled.join("\n")
 }
 
-fn timing(m: &Manifest) -> String {
+fn timing(m: &Manifest, noun: &str) -> String {
+    let gap = match noun {
+        "line" => "without a gap between columns, or between lines whose words came in time; a line that begins on one of the last two pixels of the one before waits for it",
+        _ => "without a gap between spans, or between triangles whose words came in time",
+    };
+    let clear = match (noun, m.block_ram.needed_kbit > 0.0) {
+        ("line", false) => "`clear` is answered at once: there is no memory.".to_owned(),
+        _ => format!(
+            "`clear` takes {} clocks, one per pixel of the frame.",
+            u64::from(m.frame.0) * u64::from(m.frame.1)
+        ),
+    };
     format!(
         "## Timing\n\n\
-         ![The end of a triangle's words, its pixels, a consumer that pauses, done](doc/timing.svg)\n\n\
+         ![The end of a {noun}'s words, its pixels, a consumer that pauses, done](doc/timing.svg)\n\n\
          Every column is the clock before a rising edge: inputs as that edge sees them, outputs as they stand before \
-         it. The levels were recorded from the integer model of this core drawing a small triangle; \
+         it. The levels were recorded from the integer model of this core drawing a small {noun}; \
          `doc/timing.json` holds the same for WaveDrom.\n\n\
          - Latency: {} clocks from the edge that takes `start` to the edge that can take the first pixel, in an idle core.\n\
-         - Throughput: one pixel per clock, without a gap between spans, or between triangles whose words came in time.\n\
-         - `clear` takes {} clocks, one per pixel of the frame.\n",
-        m.latency,
-        u64::from(m.frame.0) * u64::from(m.frame.1)
+         - Throughput: one pixel per clock, {gap}.\n\
+         - {clear}\n",
+        m.latency
     )
 }
 

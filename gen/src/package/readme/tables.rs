@@ -68,9 +68,59 @@ pub fn registers(m: &Manifest) -> String {
          the edges. `select[3:0]` is the word. One write goes to every channel in the mask. A word is taken while \
          `load_ready` is high; words per triangle are double-buffered, and those that have not changed need not be \
          written again.\n\n\
-         ### Shell\n\n\
-         | select | word | bits | content | per |\n|---:|---|---|---|---|\n",
+         ### Shell\n\n",
     );
+    out += &shell_rows(m);
+    for (title, target, selects) in [
+        ("Red, green, blue", "red", [1, 2, 4].as_slice()),
+        ("Light: N·L in units of 2^-16", "light", &[1]),
+        (
+            "Lobe: (1 - N·H)·2^s in units of 2^-19, see the power table",
+            "lobe",
+            &[2],
+        ),
+        ("Material", "material", &[4]),
+        ("Depth", "depth", &[8]),
+    ] {
+        if has(target) {
+            out += &channel_rows(m, title, target, selects);
+        }
+    }
+    if has("material") {
+        out.push_str(
+            "\nThe words of a material are not double-buffered: write the fence first, then what differs from the \
+             material before. The power table holds hⁿ over t = (1 - h)·2^s from 0 to 1 in 512 intervals, s the largest \
+             of 0 to 7 with (1 - 2^(-14/n))·2^s <= 1; it is written from interval 0 on. A material without a highlight \
+             needs no table.\n",
+        );
+    }
+    out.push_str(
+        "\np is the step of one pixel along the span, s the step from one span start to the next, t = s + p that step \
+         when the edge walk carries. d(u) is the first difference along u at the first span start, dd(u, v) the \
+         second difference. Words that are sums of others are formed by adding the rounded words.\n",
+    );
+    out
+}
+
+/// The register map of a line core.
+pub fn line_registers(m: &Manifest) -> String {
+    let mut out = String::from(
+        "## Registers\n\n\
+         `select[7:4]` is a mask: bit 4 red, bit 5 green, bit 6 blue; zero selects the walk and its weights. \
+         `select[3:0]` is the word. One write goes to every channel in the mask. A word is taken while `load_ready` is \
+         high; words per line are double-buffered, and those that have not changed need not be written again.\n\n\
+         A line is walked with its major coordinate rising: dX columns after the first along the major axis, dY <= dX \
+         rows along the minor one. It may be begun at any column, with the words of that column.\n\n\
+         ### Walk and weights\n\n",
+    );
+    out += &shell_rows(m);
+    out += &channel_rows(m, "Red, green, blue", "red", &[1, 2, 4]);
+    out
+}
+
+fn shell_rows(m: &Manifest) -> String {
+    let mut out =
+        String::from("| select | word | bits | content | per |\n|---:|---|---|---|---|\n");
     for r in m.registers.iter().filter(|r| r.target == "shell") {
         for (i, f) in r.fields.iter().enumerate() {
             let (select, name, per) = match i {
@@ -89,41 +139,18 @@ pub fn registers(m: &Manifest) -> String {
             );
         }
     }
-    for (title, target, selects) in [
-        ("Red, green, blue", "red", [1, 2, 4].as_slice()),
-        ("Light: N·L in units of 2^-16", "light", &[1]),
-        (
-            "Lobe: (1 - N·H)·2^s in units of 2^-19, see the power table",
-            "lobe",
-            &[2],
-        ),
-        ("Material", "material", &[4]),
-        ("Depth", "depth", &[8]),
-    ] {
-        if !has(target) {
-            continue;
-        }
-        let _ = write!(
+    out
+}
+
+fn channel_rows(m: &Manifest, title: &str, target: &str, selects: &[u8]) -> String {
+    let mut out = String::new();
+    let _ = write!(
             out,
             "\n### {title}\n\n| select | word | format | bits | content | per |\n|---|---|---|---:|---|---|\n"
         );
-        for r in m.registers.iter().filter(|r| r.target == target) {
-            let _ = writeln!(out, "{}", channel_row(r, selects));
-        }
+    for r in m.registers.iter().filter(|r| r.target == target) {
+        let _ = writeln!(out, "{}", channel_row(r, selects));
     }
-    if has("material") {
-        out.push_str(
-            "\nThe words of a material are not double-buffered: write the fence first, then what differs from the \
-             material before. The power table holds hⁿ over t = (1 - h)·2^s from 0 to 1 in 512 intervals, s the largest \
-             of 0 to 7 with (1 - 2^(-14/n))·2^s <= 1; it is written from interval 0 on. A material without a highlight \
-             needs no table.\n",
-        );
-    }
-    out.push_str(
-        "\np is the step of one pixel along the span, s the step from one span start to the next, t = s + p that step \
-         when the edge walk carries. d(u) is the first difference along u at the first span start, dd(u, v) the \
-         second difference. Words that are sums of others are formed by adding the rounded words.\n",
-    );
     out
 }
 
@@ -189,14 +216,21 @@ pub fn wrappers(m: &Manifest) -> String {
 /// What was measured.
 pub fn resources(m: &Manifest) -> String {
     let r = &m.resources;
-    let memory = format!(
-        "The depth memory holds {} bits, 16 per pixel. {}\n",
-        r.depth_memory_bits,
-        match r.multipliers {
-            0 => "No multiplier is used.".to_owned(),
-            n => format!("{n} multipliers and one block RAM for the power table come on top."),
-        }
-    );
+    let memory = match m.core.as_str() {
+        "bresenham" => "No memory and no multiplier is used.\n".to_owned(),
+        "box" | "cone" => format!(
+            "The frame memory holds {} bits, 24 per pixel. Blending takes {} multipliers of 9 bits.\n",
+            r.depth_memory_bits, r.multipliers
+        ),
+        _ => format!(
+            "The depth memory holds {} bits, 16 per pixel. {}\n",
+            r.depth_memory_bits,
+            match r.multipliers {
+                0 => "No multiplier is used.".to_owned(),
+                n => format!("{n} multipliers and one block RAM for the power table come on top."),
+            }
+        ),
+    };
     let Some(measured) = &r.measured else {
         return format!(
             "## Resources\n\n{memory}Logic was not measured for this core, frame and family.\n"

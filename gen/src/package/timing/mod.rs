@@ -10,7 +10,9 @@ mod wavedrom;
 pub use svg::svg;
 pub use wavedrom::wavedrom;
 
-use crate::stimulus::{build, Material, Stimulus, StimulusError, StimulusOptions, Triangle};
+use crate::stimulus::{
+    build, single_line, Material, Stimulus, StimulusError, StimulusOptions, Triangle,
+};
 use crate::vectors::Trace;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::{CoreInputs, CoreOutputs, Order};
@@ -72,7 +74,7 @@ fn triangle(order: Order) -> Triangle {
 /// What cores that shade per pixel draw it with: matt, so that no table is sent.
 pub(super) fn material(order: Order) -> Option<Material> {
     match order {
-        Order::Linear | Order::Quadratic => None,
+        Order::Linear | Order::Quadratic | Order::Line(_) => None,
         Order::QuadraticDots => Some(Material {
             ambient: [20.0, 10.0, 5.0],
             diffuse: [200.0, 120.0, 60.0],
@@ -85,7 +87,7 @@ pub(super) fn material(order: Order) -> Option<Material> {
 /// Knots of such cores from colours: N·L from dark to light.
 pub(super) fn cosines(order: Order, knots: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
     match order {
-        Order::Linear | Order::Quadratic => knots,
+        Order::Linear | Order::Quadratic | Order::Line(_) => knots,
         Order::QuadraticDots => knots.iter().map(|k| [k[0] / 255.0, 0.0, 0.0]).collect(),
     }
 }
@@ -109,8 +111,13 @@ fn run(core: Core, stimulus: &Stimulus) -> Trace {
 pub fn inputs(core: &Core, size: (u32, u32)) -> Result<Vec<CoreInputs>, StimulusError> {
     let (width, height) = size;
     let viewport = Viewport { width, height };
-    let triangles = [triangle(core.order)];
-    let stimulus = build(core, &triangles, viewport, &StimulusOptions::default())?;
+    let stimulus = match core.order {
+        Order::Line(filter) => single_line(filter, viewport, 6)?,
+        _ => {
+            let triangles = [triangle(core.order)];
+            build(core, &triangles, viewport, &StimulusOptions::default())?
+        }
+    };
     let trace = run(*core, &stimulus);
     let idle = CoreInputs {
         ready: true,
