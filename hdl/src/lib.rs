@@ -13,6 +13,7 @@ macro_rules! comment {
 pub mod depth;
 pub mod format;
 pub mod interpolate;
+pub mod lit;
 pub mod raster;
 pub mod shade;
 pub mod simulate;

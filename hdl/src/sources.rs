@@ -3,18 +3,34 @@
 
 /// Source text by the description's `name` remark.
 pub const SOURCES: &[(&str, &str)] = &[
+    ("angle_factor", include_str!("lit/angle.rs")),
+    ("blake_core", include_str!("shade/blake.rs")),
+    ("chebyshev", include_str!("lit/chebyshev.rs")),
+    ("chebyshev_core", include_str!("shade/chebyshev.rs")),
+    ("clamp_factor", include_str!("lit/clamp.rs")),
     ("constant_1", include_str!("interpolate/constant_1.rs")),
     ("constant_2", include_str!("interpolate/constant_2.rs")),
     ("edge_walk", include_str!("raster/edge_walk.rs")),
     ("gouraud_core", include_str!("shade/gouraud.rs")),
     ("linear_1", include_str!("interpolate/linear_1.rs")),
     ("linear_2", include_str!("interpolate/linear_2.rs")),
+    ("linear_span", include_str!("interpolate/linear_span.rs")),
+    ("lit_channel", include_str!("lit/channel.rs")),
+    ("lit_stream", include_str!("lit/stream.rs")),
     ("pixel_stream", include_str!("shade/pixel_stream.rs")),
+    ("place_stage", include_str!("lit/place.rs")),
+    ("power_table", include_str!("lit/power.rs")),
     ("quadratic_1", include_str!("interpolate/quadratic_1.rs")),
     ("quadratic_2", include_str!("interpolate/quadratic_2.rs")),
     ("quadratic_core", include_str!("shade/quadratic.rs")),
+    ("quadratic_span", include_str!("interpolate/quadratic_span.rs")),
     ("raster_shell", include_str!("raster/shell.rs")),
     ("saturate", include_str!("shade/saturate.rs")),
+    ("slerp_core", include_str!("shade/slerp.rs")),
+    ("span_shell", include_str!("raster/span_shell.rs")),
+    ("spherical_core", include_str!("shade/spherical.rs")),
+    ("swing", include_str!("lit/swing.rs")),
+    ("table_loader", include_str!("lit/loader.rs")),
     ("z_buffer", include_str!("depth/z_buffer.rs")),
 ];
 
@@ -24,6 +40,9 @@ pub fn source(name: &str) -> Option<&'static str> {
     // A frame memory is named after its size.
     if name.starts_with("frame_memory") {
         return Some(include_str!("depth/frame_memory.rs"));
+    }
+    if name.starts_with("table_memory") {
+        return Some(include_str!("lit/table_memory.rs"));
     }
     SOURCES
         .iter()

@@ -9,6 +9,7 @@ use crate::wrapper::{map, Wrapper};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use shadegate_hdl::shade::device::longest_run;
+use shadegate_hdl::shade::model::Order;
 use std::collections::BTreeMap;
 
 /// A port of the top module.
@@ -104,8 +105,10 @@ impl Manifest {
     }
 }
 
-/// Clocks from the edge that takes `start` to the edge at which the first pixel can be taken, both cores.
-pub const LATENCY: u32 = 5;
+/// Clocks from the edge that takes `start` to the edge at which the first pixel can be taken, in the triangle cores.
+const LATENCY: u32 = 5;
+/// The same in the span cores, which have one register level less before the pixel registers and five stages behind.
+const SPAN_LATENCY: u32 = 9;
 
 /// SHA-256 of a text, in hexadecimal digits.
 fn digest(text: &str) -> String {
@@ -183,7 +186,10 @@ pub fn manifest(
         registers: registers(core),
         wrappers,
         formats,
-        latency: LATENCY,
+        latency: match core.order {
+            Order::Span(_) => SPAN_LATENCY,
+            _ => LATENCY,
+        },
         error_bound_lsb: core.error_bound(longest_run(size.0, size.1).unwrap_or(u32::MAX)),
         frame: size,
         block_ram: BlockRam {

@@ -71,11 +71,14 @@ const QUADRIC: [(&str, &str); 10] = [
 /// The whole map, in the order of the select codes of shell, red, green, blue, depth.
 #[must_use]
 pub fn registers(core: &Core) -> Vec<Register> {
+    if let Order::Span(kind) = core.order {
+        return super::span_registers::registers(core, kind);
+    }
     let mut all = shell(core);
     let quadric = &QUADRIC[..];
     let plane = &PLANE[..];
     let colour = match core.order {
-        Order::Linear => plane,
+        Order::Linear | Order::Span(_) => plane,
         Order::Quadratic => quadric,
     };
     let channels = [("red", 1), ("green", 2), ("blue", 4)];

@@ -68,6 +68,13 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
     let all = match core.order {
         Order::Linear => GOURAUD,
         Order::Quadratic => QUADRATIC,
+        Order::Span(_) => {
+            return Resources {
+                depth_memory_bits: core.pixels as u64 * 16,
+                tool: TOOL,
+                measured: None,
+            }
+        }
     };
     let rows: Vec<Measured> = all
         .into_iter()

@@ -14,7 +14,8 @@ pub struct Triangle {
     pub position: [Point; 3],
     /// Depth at the corners, in depth words (0 to 65535, larger is nearer), not rounded.
     pub depth: [f64; 3],
-    /// RGB knots in LSB: three for the Gouraud core, six (vertices, then mid-edges 01, 02, 12) for the quadratic core.
+    /// RGB knots in LSB: three for the Gouraud core, six (vertices, then mid-edges 01, 02, 12) for the quadratic core;
+    /// for span cores the rows of a [`crate::spans::Surface`].
     pub knots: Vec<[f64; 3]>,
     /// Where it comes from, for messages.
     pub label: String,
@@ -180,6 +181,8 @@ fn channel_words(
             }
             w.colours(&c, writes);
         }
+        // Built span by span: see `build`.
+        Order::Span(_) => {}
     }
     for (word, data) in depth_words(t, &frame)?.into_iter().enumerate() {
         let target = 0x80 | word as u8;
@@ -200,6 +203,9 @@ pub fn build(
     viewport: Viewport,
     options: &StimulusOptions,
 ) -> Result<Stimulus, StimulusError> {
+    if let Order::Span(kind) = core.order {
+        return crate::spans::build(kind, triangles, viewport, options);
+    }
     let mut w = Writer {
         options,
         held: Default::default(),

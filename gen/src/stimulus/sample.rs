@@ -1,6 +1,7 @@
 //! Triangles for a core that is generated without a scene: enough to exercise every register and every case of the walk.
 
 use super::Triangle;
+use crate::spans::sample;
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::raster::{Point, Viewport, SUBPIXELS};
 
@@ -16,6 +17,14 @@ impl Draw {
             .wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) % limit.max(1)
     }
+}
+
+/// A surface for a span core: normals that lean up to 45° and more, all of them towards the viewer.
+fn surface(draw: &mut Draw) -> Vec<[f64; 3]> {
+    let mut lean = || (draw.below(2001) as f64 - 1000.0) / 1000.0;
+    let normals = [0; 3].map(|_| [lean(), lean(), 1.0]);
+    let colours = [[20.0, 12.0, 30.0], [140.0, 90.0, 60.0], [90.0, 120.0, 110.0]];
+    sample(normals, colours, 20.0)
 }
 
 /// `count` triangles of mixed size and shape in (and a little around) the frame: both orientations, level edges,
@@ -54,9 +63,12 @@ pub fn sample_triangles(
             _ => {}
         }
         let depth = std::array::from_fn(|_| draw.below(65_536) as f64);
-        let knots = (0..knots)
-            .map(|_| std::array::from_fn(|_| draw.below(256) as f64))
-            .collect();
+        let knots = match order {
+            Order::Span(_) => surface(&mut draw),
+            _ => (0..knots)
+                .map(|_| std::array::from_fn(|_| draw.below(256) as f64))
+                .collect(),
+        };
         out.push(Triangle {
             position,
             depth,

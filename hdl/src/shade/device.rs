@@ -71,6 +71,7 @@ impl Core {
         match self.order {
             Order::Linear => "gouraud",
             Order::Quadratic => "quadratic",
+            Order::Span(kind) => kind.name(),
         }
     }
 
@@ -82,6 +83,7 @@ impl Core {
             (Order::Quadratic, true) => 24,
             (Order::Linear, false) => 12,
             (Order::Linear, true) => 14,
+            (Order::Span(_), _) => crate::lit::channel::COLOUR_FRACTION_BITS,
         }
     }
 
@@ -109,6 +111,7 @@ impl Core {
         let words = match self.order {
             Order::Linear => 1.0 + n,
             Order::Quadratic => 1.0 + n * (n + 1.0) / 2.0,
+            Order::Span(kind) => return kind.error_bound(run),
         };
         words / 2f64.powi(self.fraction_bits() as i32 + 1)
     }
@@ -131,6 +134,8 @@ impl Core {
             (Order::Quadratic, true) => f.visit(QuadraticWide::new(self.pixels)),
             (Order::Linear, false) => f.visit(GouraudNarrow::new(self.pixels)),
             (Order::Linear, true) => f.visit(GouraudWide::new(self.pixels)),
+            (Order::Span(kind), false) => kind.with_design::<17, R>(self.pixels, f),
+            (Order::Span(kind), true) => kind.with_design::<21, R>(self.pixels, f),
         }
     }
 }

@@ -1,6 +1,8 @@
 //! Integer model of a whole core, clock by clock: what the description must do, in plain integers.
 
 use super::saturate::saturate_model;
+use super::span_core::SpanKind;
+use super::span_model::SpanModel;
 use super::{COLOUR_INTEGER_BITS, DEPTH_BIAS, DEPTH_FRACTION_BITS, DEPTH_INTEGER_BITS};
 use crate::depth::z_buffer::{ZBufferInputs, ZBufferModel};
 use crate::format::mask;
@@ -15,6 +17,8 @@ pub enum Order {
     Linear,
     /// Quadrics: the quadratic core.
     Quadratic,
+    /// Spans that the host sets up one by one.
+    Span(SpanKind),
 }
 
 /// What a core sees in one clock.
@@ -89,6 +93,8 @@ struct Pixel {
 /// State of a core.
 #[derive(Clone, Debug)]
 pub struct CoreModel {
+    /// The whole of a span core; the fields below then stand still.
+    span: Option<Box<SpanModel>>,
     fraction_bits: usize,
     bus_bits: usize,
     shell: ShellModel,
@@ -105,11 +111,16 @@ impl CoreModel {
     /// A core at power-up; colours have `fraction_bits`, frame addresses `address_bits`, the depth memory `pixels` words.
     #[must_use]
     pub fn new(order: Order, fraction_bits: usize, address_bits: usize, pixels: usize) -> Self {
+        let span = match order {
+            Order::Span(kind) => Some(SpanModel::new(kind, address_bits, pixels).into()),
+            _ => None,
+        };
         let channel = match order {
-            Order::Linear => Channel::Linear(Linear2Model::default()),
+            Order::Span(_) | Order::Linear => Channel::Linear(Linear2Model::default()),
             Order::Quadratic => Channel::Quadratic(Quadratic2Model::default()),
         };
         Self {
+            span,
             fraction_bits,
             bus_bits: (1 + COLOUR_INTEGER_BITS + fraction_bits).max(32),
             shell: ShellModel::new(address_bits),
@@ -141,6 +152,9 @@ impl CoreModel {
     /// The outputs of the current state.
     #[must_use]
     pub fn outputs(&self) -> CoreOutputs {
+        if let Some(span) = &self.span {
+            return span.outputs();
+        }
         let shell = self.shell.outputs(&ShellInputs::default());
         let busy = self.busy(shell.busy);
         CoreOutputs {
@@ -158,7 +172,10 @@ impl CoreModel {
     /// Ordinal (from 1, counting starts since power-up) of the triangle that the offered pixel belongs to.
     #[must_use]
     pub fn ordinal(&self) -> u64 {
-        self.out.ordinal
+        match &self.span {
+            Some(span) => span.ordinal(),
+            None => self.out.ordinal,
+        }
     }
 
     /// The accumulators of the pixel registers: red, green, blue, depth codes.
@@ -170,6 +187,9 @@ impl CoreModel {
 
     /// One clock edge; the outputs after it are those of [`CoreModel::outputs`].
     pub fn clock(&mut self, i: &CoreInputs) {
+        if let Some(span) = &mut self.span {
+            return span.clock(i);
+        }
         let si = self.shell_inputs(i);
         let so = self.shell.outputs(&si);
         let busy = self.busy(so.busy);

@@ -1,5 +1,6 @@
 //! Frames from pixel streams, and the arithmetic error of every pixel that a core hands over.
 
+use super::span_oracle::SpanOracle;
 use super::Prelude;
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::{shade, to_byte, Prepared};
@@ -63,6 +64,7 @@ pub struct FragmentError {
 pub fn fragment_error(p: &Prelude) -> FragmentError {
     let mut out = FragmentError::default();
     let mut sum = 0.0;
+    let spans = SpanOracle::new(p);
     for pixel in &p.trace.pixels {
         let t = &p.triangles[pixel.triangle];
         let (x, y) = (i32::from(pixel.x), i32::from(pixel.y));
@@ -75,6 +77,7 @@ pub fn fragment_error(p: &Prelude) -> FragmentError {
                 let knots: [[f64; 3]; 6] = std::array::from_fn(|i| t.knots[i]);
                 shade::quadratic::value(&t.position, &knots, x, y)
             }
+            Order::Span(_) => spans.nearest(pixel),
         };
         for (want, got) in value.into_iter().zip(pixel.rgb) {
             let d = to_byte(want).abs_diff(got);

@@ -2,6 +2,7 @@
 
 mod frames;
 mod report;
+mod span_oracle;
 mod write;
 
 pub use report::{CosimReport, ErrorReport, FirstMismatch, FormatReport, HostReport, TimeReport};
@@ -10,7 +11,8 @@ use crate::compare::{compare, Rgb8Ref};
 use crate::engine::{run, Engine, EngineError, Wave};
 use frames::Frames;
 use shadegate_gen::package::{package, rtl, Package, PackageError};
-use shadegate_gen::scene::{drawable, method_of, order_of, triangles, Undrawable};
+use shadegate_gen::scene::{drawable, method_of, order_of, triangles, Undrawable, CORES};
+use shadegate_gen::spans::{self, Refused};
 use shadegate_gen::stimulus::{build, StimulusError, StimulusOptions};
 use shadegate_gen::vectors::Trace;
 use shadegate_gen::write::WriteError;
@@ -50,8 +52,11 @@ pub enum CosimError {
     /// The scene has something that no core draws.
     #[error(transparent)]
     Undrawable(#[from] Undrawable),
+    /// The scene has something that this span core does not draw.
+    #[error(transparent)]
+    Refused(#[from] Refused),
     /// The method has no core.
-    #[error("method '{0}' has no core; methods with a core: gouraud, quadratic")]
+    #[error("method '{0}' has no core; methods with a core: {}", CORES.map(|c| c.0).join(", "))]
     NoCore(Method),
     /// Edges instead of faces.
     #[error("object[{0}] of the scene is a wireframe, which no core draws; expected draw = 'shaded' for every object")]
@@ -133,6 +138,7 @@ pub fn prelude(
     refuse(scene)?;
     drawable(scene)?;
     let prepared = Prepared::new(scene, Some((width, height)), &Skips::all())?;
+    spans::drawable(&prepared, core.order)?;
     let triangles = triangles(&prepared, core.order);
     let stimulus = build(&core, &triangles, Viewport { width, height }, stimulus)?;
     let setup_ns = begin.elapsed().as_nanos() as u64;

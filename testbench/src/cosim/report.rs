@@ -78,8 +78,11 @@ pub struct HostReport {
 impl HostReport {
     /// Counts of a stimulus and its run.
     pub(super) fn new(s: &Stimulus, t: &Trace) -> Self {
+        // A span core has a primitive for every span.
+        let mut sent: Vec<usize> = s.primitives.iter().map(|p| p.triangle).collect();
+        sent.dedup();
         Self {
-            triangles: s.primitives.len() as u64,
+            triangles: sent.len() as u64,
             writes: t.writes,
             skipped: BTreeMap::from([
                 ("unchanged-words", s.skipped_unchanged),

@@ -15,6 +15,7 @@ pub fn readme(m: &Manifest, core: &Core, target: Option<Target>, example: &str) 
     let colour = match core.order {
         Order::Linear => "a plane through three vertex colours",
         Order::Quadratic => "a quadric through six colours, at vertices and mid-edges",
+        Order::Span(kind) => super::span_registers::about(kind),
     };
     let place = match (&m.target, &m.board) {
         (Some(part), Some(board)) => {

@@ -10,6 +10,7 @@ mod wavedrom;
 pub use svg::svg;
 pub use wavedrom::wavedrom;
 
+use crate::spans::sample;
 use crate::stimulus::{build, Stimulus, StimulusError, StimulusOptions, Triangle};
 use crate::vectors::Trace;
 use shadegate_hdl::shade::device::Core;
@@ -59,6 +60,10 @@ fn triangle(order: Order) -> Triangle {
     let mut knots = corners.to_vec();
     if order == Order::Quadratic {
         knots.extend([between(0, 1), between(0, 2), between(1, 2)]);
+    }
+    if let Order::Span(_) = order {
+        let normals = [[0.3, 0.1, 1.0], [0.0, 0.2, 1.0], [0.1, 0.5, 1.0]];
+        knots = sample(normals, corners, 1.0);
     }
     Triangle {
         position: [point(0, 0), point(4, 0), point(0, 3)],
