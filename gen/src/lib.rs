@@ -6,6 +6,7 @@ pub mod package;
 pub mod scene;
 pub mod setup;
 pub mod simulators;
+pub mod spans;
 pub mod stimulus;
 pub mod vectors;
 pub mod verilog;

@@ -4,20 +4,54 @@ mod reflected;
 
 pub use reflected::{suited, Unsuited};
 
+use crate::spans;
 use crate::stimulus::{Line, Material, Triangle};
 use shadegate_hdl::line::Filter;
 use shadegate_hdl::shade::model::Order;
+use shadegate_hdl::shade::span_core::SpanKind;
 use shadegate_reference::line::{wireframe, LineFilter};
 use shadegate_reference::{depth, shade, Method, Prepared, Scene, ScreenTriangle};
 
 /// Methods that have a core, by catalogue name.
-pub const CORES: [(&str, Order, Method); 3] = [
+pub const CORES: [(&str, Order, Method); 11] = [
     ("gouraud", Order::Linear, Method::Gouraud),
     ("quadratic", Order::Quadratic, Method::Quadratic),
     (
         "quadratic-dots",
         Order::QuadraticDots,
         Method::QuadraticDots,
+    ),
+    ("slerp", Order::Span(SpanKind::Slerp), Method::Slerp),
+    (
+        "slerp-chebyshev",
+        Order::Span(SpanKind::Chebyshev),
+        Method::SlerpChebyshev,
+    ),
+    (
+        "spherical-cos2-rom4",
+        Order::Span(SpanKind::Spherical(4)),
+        Method::SphericalCos2Rom4,
+    ),
+    (
+        "spherical-cos2-rom6",
+        Order::Span(SpanKind::Spherical(6)),
+        Method::SphericalCos2Rom6,
+    ),
+    (
+        "spherical-cos2-rom8",
+        Order::Span(SpanKind::Spherical(8)),
+        Method::SphericalCos2Rom8,
+    ),
+    (
+        "spherical-cosn",
+        Order::Span(SpanKind::SphericalPower(8)),
+        Method::SphericalCosN,
+    ),
+    ("blake", Order::Span(SpanKind::Blake), Method::Blake),
+    (
+        "blake-refit",
+        Order::Span(SpanKind::BlakeRefit),
+        Method::BlakeRefit,
     ),
 ];
 
@@ -121,6 +155,15 @@ pub fn method_of(order: Order) -> Method {
         Order::QuadraticDots => Method::QuadraticDots,
         // Wires are the same whatever shades the faces.
         Order::Line(_) => Method::Exact,
+        Order::Span(SpanKind::Slerp) => Method::Slerp,
+        Order::Span(SpanKind::Chebyshev) => Method::SlerpChebyshev,
+        Order::Span(SpanKind::Spherical(4)) => Method::SphericalCos2Rom4,
+        Order::Span(SpanKind::Spherical(6)) => Method::SphericalCos2Rom6,
+        Order::Span(SpanKind::Spherical(8)) => Method::SphericalCos2Rom8,
+        Order::Span(SpanKind::Spherical(_)) => Method::SphericalCos2,
+        Order::Span(SpanKind::SphericalPower(_)) => Method::SphericalCosN,
+        Order::Span(SpanKind::Blake) => Method::Blake,
+        Order::Span(SpanKind::BlakeRefit) => Method::BlakeRefit,
     }
 }
 
@@ -135,6 +178,8 @@ fn knots(p: &Prepared, index: usize, method: Method) -> (Vec<[f64; 3]>, Option<M
             (knots, Some(material))
         }
         Order::Line(_) => (vec![], None),
+        // Their knots are the rows of a surface, made per triangle of the scene: see `triangles_of`.
+        Order::Span(_) => (vec![], None),
     }
 }
 
@@ -147,6 +192,9 @@ pub fn triangles(p: &Prepared, order: Order) -> Vec<Triangle> {
 /// All triangles of a prepared scene, in drawing order, for a method that has a core.
 #[must_use]
 pub fn triangles_of(p: &Prepared, method: Method) -> Vec<Triangle> {
+    if let Some(Order::Span(_)) = order_of(method) {
+        return spans::triangles(p);
+    }
     let one = |(index, t): (usize, &ScreenTriangle)| {
         let (knots, material) = knots(p, index, method);
         Triangle {

@@ -14,6 +14,7 @@ pub mod depth;
 pub mod format;
 pub mod interpolate;
 pub mod line;
+pub mod lit;
 pub mod raster;
 pub mod shade;
 pub mod simulate;

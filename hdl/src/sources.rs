@@ -11,6 +11,11 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("cone_core", include_str!("line/cone.rs")),
     ("cone_stages", include_str!("line/cone_stages.rs")),
     ("cone_words", include_str!("line/cone_words.rs")),
+    ("angle_factor", include_str!("lit/angle.rs")),
+    ("blake_core", include_str!("shade/blake.rs")),
+    ("chebyshev", include_str!("lit/chebyshev.rs")),
+    ("chebyshev_core", include_str!("shade/chebyshev.rs")),
+    ("clamp_factor", include_str!("lit/clamp.rs")),
     ("constant_1", include_str!("interpolate/constant_1.rs")),
     ("constant_2", include_str!("interpolate/constant_2.rs")),
     ("cubic_1", include_str!("interpolate/cubic_1.rs")),
@@ -34,12 +39,26 @@ pub const SOURCES: &[(&str, &str)] = &[
         include_str!("shade/quadratic_dots.rs"),
     ),
     ("reflect", include_str!("shade/phong/reflect.rs")),
+    ("linear_span", include_str!("interpolate/linear_span.rs")),
+    ("lit_channel", include_str!("lit/channel.rs")),
+    ("lit_stream", include_str!("lit/stream.rs")),
     ("pixel_stream", include_str!("shade/pixel_stream.rs")),
+    ("place_stage", include_str!("lit/place.rs")),
+    ("lit_power", include_str!("lit/power.rs")),
     ("quadratic_1", include_str!("interpolate/quadratic_1.rs")),
     ("quadratic_2", include_str!("interpolate/quadratic_2.rs")),
     ("quadratic_core", include_str!("shade/quadratic.rs")),
+    (
+        "quadratic_span",
+        include_str!("interpolate/quadratic_span.rs"),
+    ),
     ("raster_shell", include_str!("raster/shell.rs")),
     ("saturate", include_str!("shade/saturate.rs")),
+    ("slerp_core", include_str!("shade/slerp.rs")),
+    ("span_shell", include_str!("raster/span_shell.rs")),
+    ("spherical_core", include_str!("shade/spherical.rs")),
+    ("swing", include_str!("lit/swing.rs")),
+    ("table_loader", include_str!("lit/loader.rs")),
     ("z_buffer", include_str!("depth/z_buffer.rs")),
 ];
 
@@ -56,6 +75,9 @@ pub fn source(name: &str) -> Option<&'static str> {
     }
     if name.starts_with("weight_rom") {
         return Some(include_str!("line/weight_rom.rs"));
+    }
+    if name.starts_with("table_memory") {
+        return Some(include_str!("lit/table_memory.rs"));
     }
     SOURCES
         .iter()

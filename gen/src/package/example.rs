@@ -8,7 +8,12 @@ use shadegate_reference::raster::{Point, Viewport, SUBPIXELS};
 use std::fmt::Write;
 
 /// A triangle over the upper left half of the frame, a colour at every knot.
-fn triangle(order: Order, size: (u32, u32)) -> Triangle {
+fn triangle(order: Order, (width, height): (u32, u32)) -> Triangle {
+    // Every row is a span of its own words there: a few rows will do.
+    let size = match order {
+        Order::Span(_) => (width.min(12), height.min(6)),
+        _ => (width, height),
+    };
     let point = |x: u32, y: u32| Point {
         x: (x * SUBPIXELS as u32) as i32,
         y: (y * SUBPIXELS as u32) as i32,
@@ -24,6 +29,9 @@ fn triangle(order: Order, size: (u32, u32)) -> Triangle {
             [220.0, 90.0, 200.0],
             [40.0, 200.0, 220.0],
         ]);
+    }
+    if let Order::Span(_) = order {
+        knots = crate::spans::sample([[0.3, 0.1, 1.0]; 3], [[40.0; 3], [180.0; 3], [0.0; 3]], 1.0);
     }
     Triangle {
         position: [point(0, 0), point(size.0, 0), point(0, size.1)],
@@ -57,21 +65,38 @@ pub fn example(
         Order::Line(_) => ("line", "frame memory", "weight"),
         _ => ("triangle", "depth memory", "depth"),
     };
-    let words: Vec<(u8, u64)> = stimulus
-        .frame
-        .iter()
-        .chain(stimulus.primitives.iter().flat_map(|p| &p.writes))
-        .copied()
-        .collect();
+    let span = matches!(core.order, Order::Span(_));
+    let mut words: Vec<(bool, u8, u64)> =
+        stimulus.frame.iter().map(|w| (false, w.0, w.1)).collect();
+    for p in &stimulus.primitives {
+        words.extend(p.writes.iter().map(|w| (false, w.0, w.1)));
+        if let Some(last) = words.last_mut() {
+            last.0 = true;
+        }
+    }
     let (top, b) = (format!("{}_core", core.module()), core.bus_bits());
     let digits = b.div_ceil(4);
     let count = words.len();
+    // Spans begin with their own last words; a triangle begins with the last of all.
+    let bits = if span { count.ilog2() as usize + 1 } else { 6 };
+    let begin = |start: bool| match (span, start) {
+        (false, _) => "",
+        (true, false) => "1'b0, ",
+        (true, true) => "1'b1, ",
+    };
+    let start = if span {
+        format!("word[{}]", b + 8)
+    } else {
+        format!("index == COUNT - {bits}'d1")
+    };
+    let per = if span { "of each span " } else { "" };
     let mut table = String::new();
-    for (i, (select, data)) in words.iter().enumerate() {
+    for (i, (start, select, data)) in words.iter().enumerate() {
+        let begin = begin(*start);
         // Writing to a string cannot fail.
         let _ = writeln!(
             table,
-            "      6'd{i}: word = {{8'h{select:02x}, {b}'h{data:0digits$x}}};"
+            "      {bits}'d{i}: word = {{{begin}8'h{select:02x}, {b}'h{data:0digits$x}}};"
         );
     }
     Ok(format!(
@@ -95,10 +120,10 @@ module {top}_example (
   output wire [15:0] frame_depth                 // Its {depth}.
 );
 
-  localparam [5:0] COUNT = 6'd{count};
+  localparam [{high}:0] COUNT = {bits}'d{count};
 
-  reg [5:0] index = COUNT;                       // Word to write; COUNT when all are written.
-  reg [{top_bit}:0] word;                               // Its select code and its value.
+  reg [{high}:0] index = COUNT;                       // Word to write; COUNT when all are written.
+  reg [{word_top}:0] word;                               // Its select code and its value.
   wire writing = index != COUNT;                 // A word is offered.
   wire begins = go && idle;                      // The triangle is begun.
   wire load_ready;                               // The core takes a word.
@@ -118,10 +143,10 @@ module {top}_example (
     endcase
   end
 
-  // One word per clock; the last one carries `start`. While the memory is cleared words may be written already.
+  // One word per clock; the last one {per}carries `start`. While the memory is cleared words may be written already.
   always @(posedge clock) begin
-    if (begins) index <= 6'd0;
-    else if (writing && load_ready) index <= index + 6'd1;
+    if (begins) index <= {bits}'d0;
+    else if (writing && load_ready) index <= index + {bits}'d1;
   end
 
   {top} core (
@@ -129,7 +154,7 @@ module {top}_example (
 {reset_line}    .write(writing),
     .select(word[{top_bit}:{b}]),
     .data(word[{bus}:0]),
-    .start(writing && index == COUNT - 6'd1),
+    .start(writing && {start}),
     .clear(begins),
     .ready(1'b1),
     .load_ready(load_ready),
@@ -150,7 +175,9 @@ endmodule
 ",
         top_bit = b + 7,
         reset_line = if reset { "    .reset(1'b0),\n" } else { "" },
-        word_bits = b + 8,
+        word_bits = b + 8 + usize::from(span),
+        word_top = b + 7 + usize::from(span),
+        high = bits - 1,
         bus = b - 1,
     ))
 }

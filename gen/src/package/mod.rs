@@ -23,6 +23,7 @@ mod manifest;
 mod readme;
 mod registers;
 mod resources;
+mod span_registers;
 pub mod timing;
 
 pub use manifest::{BlockRam, FormatEntry, Manifest, PortEntry, Wrappers};

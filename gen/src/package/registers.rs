@@ -75,14 +75,16 @@ const QUADRIC: [(&str, &str); 10] = [
 /// The whole map, in the order of the select codes of shell, red, green, blue, depth.
 #[must_use]
 pub fn registers(core: &Core) -> Vec<Register> {
-    if let Order::Line(filter) = core.order {
-        return line::registers(filter, core.address_bits());
+    match core.order {
+        Order::Line(filter) => return line::registers(filter, core.address_bits()),
+        Order::Span(kind) => return super::span_registers::registers(core, kind),
+        _ => {}
     }
     let mut all = shell(core);
     let quadric = &QUADRIC[..];
     let plane = &PLANE[..];
     let colours = match core.order {
-        Order::Linear | Order::Line(_) => {
+        Order::Linear | Order::Line(_) | Order::Span(_) => {
             &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, plane))[..]
         }
         Order::Quadratic => &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, quadric)),

@@ -78,6 +78,7 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
         Order::Quadratic => QUADRATIC.to_vec(),
         Order::QuadraticDots => QUADRATIC_DOTS.to_vec(),
         Order::Line(filter) => line::measured(filter).to_vec(),
+        Order::Span(_) => vec![],
     };
     let rows: Vec<Measured> = all
         .into_iter()

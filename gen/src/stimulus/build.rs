@@ -16,7 +16,7 @@ pub struct Triangle {
     /// Depth at the corners, in depth words (0 to 65535, larger is nearer), not rounded.
     pub depth: [f64; 3],
     /// RGB knots in LSB: three for the Gouraud core, six (vertices, then mid-edges 01, 02, 12) for the quadratic core.
-    /// For the quadratic-dots core six of N·L, N·H and 0.
+    /// For the quadratic-dots core six of N·L, N·H and 0; for span cores the rows of a [`crate::spans::Surface`].
     pub knots: Vec<[f64; 3]>,
     /// What cores take that shade per pixel, and others ignore.
     pub material: Option<Material>,
@@ -188,6 +188,8 @@ fn channel_words(
         }
         Order::QuadraticDots => w.dots(core, t, &frame, writes)?,
         Order::Line(_) => return Err("a line core draws no triangles".to_owned()),
+        // Built span by span: see `build`.
+        Order::Span(_) => {}
     }
     for (word, data) in depth_words(t, &frame)?.into_iter().enumerate() {
         let target = 0x80 | word as u8;
@@ -208,6 +210,9 @@ pub fn build(
     viewport: Viewport,
     options: &StimulusOptions,
 ) -> Result<Stimulus, StimulusError> {
+    if let Order::Span(kind) = core.order {
+        return crate::spans::build(kind, triangles, viewport, options);
+    }
     let mut w = Writer {
         options,
         held: Default::default(),

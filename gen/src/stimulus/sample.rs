@@ -1,6 +1,7 @@
 //! Triangles for a core that is generated without a scene: enough to exercise every register and every case of the walk.
 
 use super::{build, sample_lines, Material, Stimulus, StimulusError, StimulusOptions, Triangle};
+use crate::spans;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::raster::{Point, Viewport, SUBPIXELS};
@@ -34,6 +35,7 @@ const MATERIALS: [Material; 2] = [
         shininess: 90.5,
     },
 ];
+
 /// The writes that exercise a core: of `count` triangles, or lines.
 ///
 /// # Errors
@@ -49,6 +51,18 @@ pub fn sample(
     }
     let triangles = sample_triangles(core.order, viewport, count, seed);
     build(core, &triangles, viewport, &StimulusOptions::default())
+}
+
+/// A surface for a span core: normals that lean up to 45° and more, all of them towards the viewer.
+fn surface(draw: &mut Draw) -> Vec<[f64; 3]> {
+    let mut lean = || (draw.below(2001) as f64 - 1000.0) / 1000.0;
+    let normals = [0; 3].map(|_| [lean(), lean(), 1.0]);
+    let colours = [
+        [20.0, 12.0, 30.0],
+        [140.0, 90.0, 60.0],
+        [90.0, 120.0, 110.0],
+    ];
+    spans::sample(normals, colours, 20.0)
 }
 
 /// `count` triangles of mixed size and shape in (and a little around) the frame: both orientations, level edges,
@@ -92,12 +106,15 @@ pub fn sample_triangles(
         let mut knot = |_| {
             let at = std::array::from_fn(|_| draw.below(256) as f64);
             match order {
-                Order::Linear | Order::Quadratic | Order::Line(_) => at,
                 // Cosines from -0.5 to 1.
                 Order::QuadraticDots => [at[0] / 170.0 - 0.5, at[1] / 170.0 - 0.5, 0.0],
+                _ => at,
             }
         };
-        let knots = (0..knots).map(&mut knot).collect();
+        let knots = match order {
+            Order::Span(_) => surface(&mut draw),
+            _ => (0..knots).map(&mut knot).collect(),
+        };
         out.push(Triangle {
             position,
             depth,

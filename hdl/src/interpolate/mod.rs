@@ -9,6 +9,8 @@
 //! | [`constant_2`] | c over a triangle | 0 | 1 |
 //! | [`linear_2`] | a plane over a triangle | 2 | 4 |
 //! | [`quadratic_2`] | a quadric over a triangle | 6 | 10 |
+//! | [`linear_span`] | c + d·k along spans set up one by one | 1 | 2 |
+//! | [`quadratic_span`] | c + d·k + dd·k(k−1)/2 along spans set up one by one | 2 | 3 |
 //!
 //! The two-variate modules walk lattice steps: from one span start to the next by the *line step* s = (a, 1) or, when
 //! the edge walk carries, by s' = (a + 1, 1); along a span by the *pixel step* p = (1, 0). A polynomial's differences
@@ -21,6 +23,8 @@ pub mod constant_2;
 pub mod cubic_1;
 pub mod linear_1;
 pub mod linear_2;
+pub mod linear_span;
 pub mod quadratic_1;
 pub mod quadratic_2;
+pub mod quadratic_span;
 pub mod run;

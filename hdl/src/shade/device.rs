@@ -81,6 +81,7 @@ impl Core {
             Order::Quadratic => "quadratic",
             Order::QuadraticDots => "quadratic-dots",
             Order::Line(filter) => filter.core_name(),
+            Order::Span(kind) => kind.name(),
         }
     }
 
@@ -95,7 +96,7 @@ impl Core {
     pub fn formats(&self) -> Vec<(&'static str, usize, usize)> {
         let n = self.fraction_bits();
         match self.order {
-            Order::Linear | Order::Quadratic | Order::Line(_) => {
+            Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => {
                 vec![("colour", COLOUR_INTEGER_BITS, n)]
             }
             Order::QuadraticDots => vec![
@@ -116,6 +117,7 @@ impl Core {
             (Order::QuadraticDots, false) => 15,
             (Order::QuadraticDots, true) => 19,
             (Order::Line(_), _) => crate::line::cue::FRACTION_BITS,
+            (Order::Span(_), _) => crate::lit::channel::COLOUR_FRACTION_BITS,
         }
     }
 
@@ -126,6 +128,8 @@ impl Core {
             Order::Linear | Order::Quadratic => 0,
             Order::QuadraticDots => STAGES as u32,
             Order::Line(filter) => return filter.latency(),
+            // One register level less before the pixel registers and five stages behind.
+            Order::Span(_) => 4,
         }
     }
 
@@ -162,13 +166,14 @@ impl Core {
     pub fn error_bound(&self, run: u32) -> f64 {
         let n = f64::from(run);
         let words = match self.order {
-            Order::Linear | Order::Line(_) => 1.0 + n,
+            Order::Linear | Order::Line(_) | Order::Span(_) => 1.0 + n,
             Order::Quadratic | Order::QuadraticDots => 1.0 + n * (n + 1.0) / 2.0,
         };
         let unit = words / 2f64.powi(self.fraction_bits() as i32 + 1);
         match self.order {
             Order::Linear | Order::Quadratic => unit,
             Order::Line(filter) => filter.error_bound(run),
+            Order::Span(kind) => kind.error_bound(run),
             Order::QuadraticDots => {
                 let light = 2f64.powi(-(LIGHT_FRACTION_BITS as i32));
                 let lobe = STEEPEST * 2f64.powi(-(PLACE_FRACTION_BITS as i32));
@@ -199,6 +204,8 @@ impl Core {
             (Order::QuadraticDots, true) => f.visit(QuadraticDotsWide::new(self.pixels)),
             (Order::Line(filter), false) => filter.with_design::<17, R>(self.pixels, f),
             (Order::Line(filter), true) => filter.with_design::<21, R>(self.pixels, f),
+            (Order::Span(kind), false) => kind.with_design::<17, R>(self.pixels, f),
+            (Order::Span(kind), true) => kind.with_design::<21, R>(self.pixels, f),
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Cores: a datapath per shading method behind the shared raster shell, with depth test and pixel stream.
 
+pub mod blake;
+pub mod chebyshev;
 pub mod device;
 pub mod gouraud;
 pub mod model;
@@ -8,6 +10,11 @@ pub mod pixel_stream;
 pub mod quadratic;
 pub mod quadratic_dots;
 pub mod saturate;
+pub mod slerp;
+pub mod span_bound;
+pub mod span_core;
+pub mod span_model;
+pub mod spherical;
 
 /// Integer bits of a colour word: ±2048 LSB holds a six-knot colour of knots in 0..=1530.
 pub const COLOUR_INTEGER_BITS: usize = 11;

@@ -4,6 +4,8 @@ use super::phong::model::{DelayModel, Fragment, PhongModel};
 use super::phong::power::{PLACE_FRACTION_BITS, PLACE_INTEGER_BITS};
 use super::phong::{FENCE_WORD, LIGHT_FRACTION_BITS, LIGHT_INTEGER_BITS, STAGES};
 use super::saturate::saturate_model;
+use super::span_core::SpanKind;
+use super::span_model::SpanModel;
 use super::{COLOUR_INTEGER_BITS, DEPTH_BIAS, DEPTH_FRACTION_BITS, DEPTH_INTEGER_BITS};
 use crate::depth::z_buffer::{ZBufferInputs, ZBufferModel};
 use crate::format::mask;
@@ -24,6 +26,8 @@ pub enum Order {
     QuadraticDots,
     /// Lines instead of triangles: the line cores.
     Line(Filter),
+    /// Spans that the host sets up one by one.
+    Span(SpanKind),
 }
 
 /// What a core sees in one clock.
@@ -106,7 +110,7 @@ struct Reflection {
 impl Reflection {
     fn of(order: Order) -> Option<Self> {
         let stages = match order {
-            Order::Linear | Order::Quadratic | Order::Line(_) => return None,
+            Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => return None,
             Order::QuadraticDots => STAGES,
         };
         Some(Self {
@@ -128,7 +132,7 @@ pub fn bus_bits(order: Order, fraction_bits: usize) -> usize {
 /// Widths of a core's three interpolants beside depth.
 fn interpolant_bits(order: Order, fraction_bits: usize) -> [usize; 3] {
     match order {
-        Order::Linear | Order::Quadratic | Order::Line(_) => {
+        Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => {
             [1 + COLOUR_INTEGER_BITS + fraction_bits; 3]
         }
         Order::QuadraticDots => [
@@ -145,6 +149,8 @@ fn interpolant_bits(order: Order, fraction_bits: usize) -> [usize; 3] {
 pub struct CoreModel {
     /// The whole of a line core; the fields below then stand still.
     line: Option<Box<LineModel>>,
+    /// The whole of a span core; the fields below then stand still.
+    span: Option<Box<SpanModel>>,
     fraction_bits: usize,
     bus_bits: usize,
     shell: ShellModel,
@@ -168,14 +174,21 @@ impl CoreModel {
             Order::Line(filter) => Some(LineModel::new(filter, address_bits, pixels).into()),
             _ => None,
         };
+        let span = match order {
+            Order::Span(kind) => Some(SpanModel::new(kind, address_bits, pixels).into()),
+            _ => None,
+        };
         let channel = match order {
-            Order::Line(_) | Order::Linear => Channel::Linear(Linear2Model::default()),
+            Order::Linear | Order::Line(_) | Order::Span(_) => {
+                Channel::Linear(Linear2Model::default())
+            }
             Order::Quadratic | Order::QuadraticDots => {
                 Channel::Quadratic(Quadratic2Model::default())
             }
         };
         Self {
             line,
+            span,
             fraction_bits,
             bus_bits: bus_bits(order, fraction_bits),
             shell: ShellModel::new(address_bits),
@@ -225,6 +238,9 @@ impl CoreModel {
         if let Some(line) = &self.line {
             return line.outputs();
         }
+        if let Some(span) = &self.span {
+            return span.outputs();
+        }
         let shell = self.shell.outputs(&ShellInputs::default());
         let busy = self.busy(shell.busy);
         CoreOutputs {
@@ -242,9 +258,10 @@ impl CoreModel {
     /// Ordinal (from 1, counting starts since power-up) of the triangle that the offered pixel belongs to.
     #[must_use]
     pub fn ordinal(&self) -> u64 {
-        match &self.line {
-            Some(line) => line.ordinal(),
-            None => self.out.ordinal,
+        match (&self.line, &self.span) {
+            (Some(line), _) => line.ordinal(),
+            (_, Some(span)) => span.ordinal(),
+            _ => self.out.ordinal,
         }
     }
 
@@ -259,6 +276,9 @@ impl CoreModel {
     pub fn clock(&mut self, i: &CoreInputs) {
         if let Some(line) = &mut self.line {
             return line.clock(i);
+        }
+        if let Some(span) = &mut self.span {
+            return span.clock(i);
         }
         let si = self.shell_inputs(i);
         let so = self.shell.outputs(&si);

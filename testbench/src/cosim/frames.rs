@@ -1,5 +1,6 @@
 //! Frames from pixel streams, and the arithmetic error of every pixel that a core hands over.
 
+use super::span_oracle::SpanOracle;
 use super::{lines, Prelude};
 use shadegate_gen::stimulus::Triangle;
 use shadegate_hdl::shade::model::Order;
@@ -81,6 +82,7 @@ pub fn fragment_error(p: &Prelude) -> FragmentError {
     }
     let mut out = FragmentError::default();
     let mut sum = 0.0;
+    let spans = SpanOracle::new(p);
     for pixel in &p.trace.pixels {
         let t = &p.triangles[pixel.triangle];
         let (x, y) = (i32::from(pixel.x), i32::from(pixel.y));
@@ -100,6 +102,7 @@ pub fn fragment_error(p: &Prelude) -> FragmentError {
             }
             // Judged above.
             Order::Line(_) => continue,
+            Order::Span(_) => spans.nearest(pixel),
         };
         for (want, got) in value.into_iter().zip(pixel.rgb) {
             let d = to_byte(want).abs_diff(got);

@@ -3,6 +3,7 @@
 mod frames;
 mod lines;
 mod report;
+mod span_oracle;
 mod write;
 
 pub use report::{CosimReport, ErrorReport, FirstMismatch, FormatReport, HostReport, TimeReport};
@@ -14,6 +15,7 @@ use shadegate_gen::package::{package, rtl, Package, PackageError};
 use shadegate_gen::scene::{
     self, drawable, line_order, order_of, suited, triangles_of, Undrawable, Unsuited, CORES,
 };
+use shadegate_gen::spans::{self, Refused};
 use shadegate_gen::stimulus::{build, build_lines, Line, StimulusError, StimulusOptions};
 use shadegate_gen::vectors::Trace;
 use shadegate_gen::write::WriteError;
@@ -58,6 +60,9 @@ pub enum CosimError {
     /// The scene has lights or materials that this core does not draw.
     #[error(transparent)]
     Unsuited(#[from] Unsuited),
+    /// The scene has something that this span core does not draw.
+    #[error(transparent)]
+    Refused(#[from] Refused),
     /// The method has no core.
     #[error("method '{0}' has no core; cores: {cores}", cores = CORES.map(|c| c.0).join(", "))]
     NoCore(Method),
@@ -179,6 +184,7 @@ pub fn prelude(
     drawable(scene)?;
     suited(scene, core.order)?;
     let prepared = Prepared::new(scene, Some((width, height)), &Skips::all())?;
+    spans::drawable(&prepared, core.order)?;
     let viewport = Viewport { width, height };
     let (mut triangles, mut lines) = (vec![], vec![]);
     let stimulus = match core.order {

@@ -83,8 +83,11 @@ impl HostReport {
             Order::Line(_) => "unseen-lines",
             _ => "uncovered-triangles",
         };
+        // A span core has a primitive for every span.
+        let mut sent: Vec<usize> = s.primitives.iter().map(|p| p.triangle).collect();
+        sent.dedup();
         Self {
-            triangles: s.primitives.len() as u64,
+            triangles: sent.len() as u64,
             writes: t.writes,
             skipped: BTreeMap::from([
                 ("unchanged-words", s.skipped_unchanged),

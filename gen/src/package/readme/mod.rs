@@ -20,6 +20,7 @@ pub fn readme(m: &Manifest, core: &Core, target: Option<Target>, example: &str) 
             "quadrics of N·L and N·H through six knots, and the light that the material reflects per pixel"
         }
         Order::Line(_) => "lines",
+        Order::Span(kind) => super::span_registers::about(kind),
     };
     let place = match (&m.target, &m.board) {
         (Some(part), Some(board)) => {

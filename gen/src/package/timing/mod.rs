@@ -10,6 +10,7 @@ mod wavedrom;
 pub use svg::svg;
 pub use wavedrom::wavedrom;
 
+use crate::spans::sample;
 use crate::stimulus::{
     build, single_line, Material, Stimulus, StimulusError, StimulusOptions, Triangle,
 };
@@ -62,6 +63,10 @@ fn triangle(order: Order) -> Triangle {
     if order != Order::Linear {
         knots.extend([between(0, 1), between(0, 2), between(1, 2)]);
     }
+    if let Order::Span(_) = order {
+        let normals = [[0.3, 0.1, 1.0], [0.0, 0.2, 1.0], [0.1, 0.5, 1.0]];
+        knots = sample(normals, corners, 1.0);
+    }
     Triangle {
         position: [point(0, 0), point(4, 0), point(0, 3)],
         depth: [40_000.0, 30_000.0, 20_000.0],
@@ -74,7 +79,7 @@ fn triangle(order: Order) -> Triangle {
 /// What cores that shade per pixel draw it with: matt, so that no table is sent.
 pub(super) fn material(order: Order) -> Option<Material> {
     match order {
-        Order::Linear | Order::Quadratic | Order::Line(_) => None,
+        Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => None,
         Order::QuadraticDots => Some(Material {
             ambient: [20.0, 10.0, 5.0],
             diffuse: [200.0, 120.0, 60.0],
@@ -87,7 +92,7 @@ pub(super) fn material(order: Order) -> Option<Material> {
 /// Knots of such cores from colours: N·L from dark to light.
 pub(super) fn cosines(order: Order, knots: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
     match order {
-        Order::Linear | Order::Quadratic | Order::Line(_) => knots,
+        Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => knots,
         Order::QuadraticDots => knots.iter().map(|k| [k[0] / 255.0, 0.0, 0.0]).collect(),
     }
 }

@@ -1,0 +1,120 @@
+//! The span cores as one type: which datapath, which tables.
+
+use super::blake::BlakeCore;
+use super::chebyshev::ChebyshevCore;
+use super::device::{CorePorts, DesignVisitor};
+use super::model::{CoreInputs, CoreOutputs};
+use super::slerp::SlerpCore;
+use super::span_bound::error_bound;
+use super::spherical::SphericalCore;
+use crate::format::U;
+
+/// Which span core.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SpanKind {
+    /// Cosines by differences, power by chords.
+    Slerp,
+    /// Cosines by Chebyshev's recurrence, power by chords.
+    Chebyshev,
+    /// Tables of this many address and data bits, 4 to 10, at evenly growing angles: cos and cos².
+    Spherical(usize),
+    /// The same core whose host writes cosⁿ of the material.
+    SphericalPower(usize),
+    /// Quadratic pieces with the printed coefficients.
+    Blake,
+    /// The same core whose host takes refitted coefficients.
+    BlakeRefit,
+}
+
+/// Spherical core with tables of 4 bits.
+pub type Spherical4<const A: usize> = SphericalCore<A, 4, 10, 22, 6>;
+/// Spherical core with tables of 5 bits.
+pub type Spherical5<const A: usize> = SphericalCore<A, 5, 11, 23, 7>;
+/// Spherical core with tables of 6 bits.
+pub type Spherical6<const A: usize> = SphericalCore<A, 6, 12, 24, 8>;
+/// Spherical core with tables of 7 bits.
+pub type Spherical7<const A: usize> = SphericalCore<A, 7, 13, 25, 9>;
+/// Spherical core with tables of 8 bits.
+pub type Spherical8<const A: usize> = SphericalCore<A, 8, 14, 26, 10>;
+/// Spherical core with tables of 9 bits.
+pub type Spherical9<const A: usize> = SphericalCore<A, 9, 15, 27, 11>;
+/// Spherical core with tables of 10 bits.
+pub type Spherical10<const A: usize> = SphericalCore<A, 10, 16, 28, 12>;
+
+impl SpanKind {
+    /// Name of the core in the catalogue.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Slerp => "slerp",
+            Self::Chebyshev => "chebyshev",
+            Self::Spherical(_) | Self::SphericalPower(_) => "spherical",
+            Self::Blake | Self::BlakeRefit => "blake",
+        }
+    }
+
+    /// Largest arithmetic error of a colour before the final rounding, LSB, on spans of up to `run` pixels.
+    #[must_use]
+    pub fn error_bound(self, run: u32) -> f64 {
+        error_bound(self, run)
+    }
+
+    /// Calls `f` with the description for frame addresses of `A` bits.
+    pub(super) fn with_design<const A: usize, R>(
+        self,
+        pixels: usize,
+        f: impl DesignVisitor<R>,
+    ) -> R {
+        match self {
+            Self::Slerp => f.visit(SlerpCore::<A>::new(pixels)),
+            Self::Chebyshev => f.visit(ChebyshevCore::<A>::new(pixels)),
+            Self::Blake | Self::BlakeRefit => f.visit(BlakeCore::<A>::new(pixels)),
+            Self::Spherical(bits) | Self::SphericalPower(bits) => match bits {
+                0..=4 => f.visit(Spherical4::<A>::new(pixels)),
+                5 => f.visit(Spherical5::<A>::new(pixels)),
+                6 => f.visit(Spherical6::<A>::new(pixels)),
+                7 => f.visit(Spherical7::<A>::new(pixels)),
+                8 => f.visit(Spherical8::<A>::new(pixels)),
+                9 => f.visit(Spherical9::<A>::new(pixels)),
+                _ => f.visit(Spherical10::<A>::new(pixels)),
+            },
+        }
+    }
+}
+
+macro_rules! span_core_ports {
+    ($type:ident $(, $n:ident)*) => {
+        impl<$(const $n: usize),*> CorePorts for $type<$($n),*> {
+            fn set(&mut self, i: &CoreInputs) {
+                self.write.next = i.write;
+                self.select.next = U::new(u64::from(i.select));
+                self.data.next = U::new(i.data);
+                self.start.next = i.start;
+                self.clear.next = i.clear;
+                self.ready.next = i.ready;
+            }
+
+            fn get(&self) -> CoreOutputs {
+                let byte = |v: U<8>| v.get() as u8;
+                CoreOutputs {
+                    load_ready: self.load_ready.val(),
+                    valid: self.valid.val(),
+                    x: self.x.val().get() as u16,
+                    y: self.y.val().get() as u16,
+                    rgb: [
+                        byte(self.red.val()),
+                        byte(self.green.val()),
+                        byte(self.blue.val()),
+                    ],
+                    depth: self.depth.val().get() as u16,
+                    busy: self.busy.val(),
+                    done: self.done.val(),
+                }
+            }
+        }
+    };
+}
+span_core_ports!(SlerpCore, A);
+span_core_ports!(ChebyshevCore, A);
+span_core_ports!(BlakeCore, A);
+span_core_ports!(SphericalCore, A, K, M, P, H);

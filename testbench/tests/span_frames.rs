@@ -1,0 +1,129 @@
+//! Real scenes through the span cores: every engine gives the integer model's frame, and every pixel is within one LSB
+//! of its method in f64 (for tables: of a word that the method may have there).
+
+use shadegate_reference::{scene, Method, Scene};
+use shadegate_testbench::cosim::{cosim, CosimOptions, CosimReport};
+use shadegate_testbench::engine::Engine;
+use std::path::Path;
+
+const METHODS: [Method; 8] = [
+    Method::Slerp,
+    Method::SlerpChebyshev,
+    Method::SphericalCos2Rom4,
+    Method::SphericalCos2Rom6,
+    Method::SphericalCos2Rom8,
+    Method::SphericalCosN,
+    Method::Blake,
+    Method::BlakeRefit,
+];
+
+fn load(name: &str) -> Scene {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../scenes")
+        .join(name);
+    scene::load(&path).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn options(method: Method, engine: Engine, size: Option<(u32, u32)>) -> CosimOptions {
+    CosimOptions {
+        method,
+        engine,
+        size,
+        wave: None,
+        output: None,
+        stimulus: Default::default(),
+        command: "test".into(),
+    }
+}
+
+fn run(s: &Scene, method: Method, engine: Engine, size: Option<(u32, u32)>) -> CosimReport {
+    let r = cosim(s, &options(method, engine, size))
+        .unwrap_or_else(|e| panic!("{} {method} {engine}: {e}", s.name));
+    assert_eq!(
+        r.mismatches, 0,
+        "{} {method} {engine}: {:?}",
+        s.name, r.first_mismatch
+    );
+    assert!(
+        r.arithmetic["max_lsb"] <= 1.0,
+        "{} {method} {engine}: {:?}",
+        s.name,
+        r.arithmetic
+    );
+    println!(
+        "{} {method} {engine}: {} triangles, {} writes, {:.3} pixels per clock, {:?}",
+        s.name, r.host.triangles, r.host.writes, r.pixels_per_cycle, r.arithmetic
+    );
+    r
+}
+
+#[test]
+fn spheres_in_this_process() {
+    for name in ["sphere-168.toml", "sphere-690.toml"] {
+        let scene = load(name);
+        for method in METHODS {
+            let r = run(&scene, method, Engine::Compiled, None);
+            assert!(r.host.triangles > 80 && r.pixels > 30_000);
+        }
+    }
+    let r = run(
+        &load("sphere-168.toml"),
+        Method::Slerp,
+        Engine::RustHdl,
+        None,
+    );
+    assert!(r.pixels_per_cycle > 0.5, "{}", r.pixels_per_cycle);
+}
+
+#[test]
+fn perspective_and_large_frames() {
+    for method in [Method::Slerp, Method::SphericalCosN] {
+        run(&load("gem.toml"), method, Engine::RustHdl, None);
+        run(&load("teapot.toml"), method, Engine::Compiled, None);
+    }
+    let wide = run(
+        &load("sphere-168.toml"),
+        Method::Slerp,
+        Engine::Compiled,
+        Some((640, 480)),
+    );
+    assert_eq!(wide.width, 640);
+}
+
+#[test]
+fn emitted_verilog_in_other_simulators() {
+    let scene = load("sphere-168.toml");
+    for method in [
+        Method::Slerp,
+        Method::SlerpChebyshev,
+        Method::SphericalCos2Rom6,
+        Method::BlakeRefit,
+    ] {
+        for engine in [Engine::Icarus, Engine::Verilator] {
+            run(&scene, method, engine, Some((96, 72)));
+        }
+    }
+    run(&scene, Method::Slerp, Engine::Cxxrtl, Some((96, 72)));
+}
+
+#[test]
+fn what_a_span_core_does_not_draw_is_said_in_one_line() {
+    let refused = |name: &str, method: Method| {
+        let e = cosim(
+            &load(name),
+            &options(method, Engine::RustHdl, Some((32, 24))),
+        );
+        e.expect_err("refused").to_string()
+    };
+    let lights = refused("two-lights.toml", Method::Slerp);
+    assert_eq!(
+        lights,
+        "the slerp core draws one light, and the scene has 2 lights"
+    );
+    let near = refused("gem.toml", Method::Blake);
+    assert!(near.contains("perspective or a light nearby"), "{near}");
+    let model = refused("materials.toml", Method::Slerp);
+    assert!(model.contains("cannot draw material"), "{model}");
+    let without = refused("gem.toml", Method::Duff);
+    assert!(without.contains("slerp-chebyshev"), "{without}");
+}
