@@ -10,7 +10,8 @@ use euc::buffer::Buffer2d;
 use euc::rasterizer::Triangles;
 use euc::{Pipeline, Target};
 use shadegate_reference::scene::{LightKind, Projection};
-use shadegate_reference::{render, scene, Frame, Method, Prepared, RenderOptions, Scene, Skips};
+use shadegate_reference::{render, scene, with_threads};
+use shadegate_reference::{Frame, Method, Prepared, RenderOptions, Scene, Skips};
 use shadegate_testbench::bench::clock::Effort;
 use shadegate_testbench::compare::{compare as apart, Rgb8Ref};
 use std::path::Path;
@@ -197,7 +198,8 @@ fn ours(scene: &Scene, method: Method) -> Took {
     };
     let begin = Instant::now();
     // The size is one that scenes may have.
-    let Ok(p) = Prepared::new(scene, Some(SIZE), &Skips::all()) else {
+    let prepare = || Prepared::new(scene, Some(SIZE), &Skips::all());
+    let Ok(p) = with_threads(options.threads, prepare) else {
         return Took::NOTHING;
     };
     let before = begin.elapsed().as_nanos() as f64;

@@ -2,7 +2,7 @@
 
 use crate::report::Report;
 use crate::turns::{cell, Job, Times, Took, PART, WHOLE};
-use shadegate_reference::{render, Method, Prepared, RenderOptions, Skips};
+use shadegate_reference::{render, with_threads, Method, Prepared, RenderOptions, Skips};
 use shadegate_testbench::bench::clock::Effort;
 use shadegate_testbench::bench::scenes::Tessellation;
 use std::time::Instant;
@@ -20,26 +20,26 @@ pub fn compare(effort: Effort, report: &mut Report) -> Result<(), String> {
     let scene = sphere.scene(20).map_err(|e| e.to_string())?;
     let mut rows = Vec::new();
     for method in Method::ALL.iter().copied().filter(|m| *m != Method::Exact) {
+        let frame = |threads: usize| {
+            let begin = Instant::now();
+            // The size is one that scenes may have.
+            let Ok(p) = Prepared::new(&scene, Some(SIZE), &Skips::all()) else {
+                return Took::NOTHING;
+            };
+            let before = begin.elapsed().as_nanos() as f64;
+            let options = RenderOptions {
+                threads: Some(threads),
+                ..RenderOptions::default()
+            };
+            let s = render(&p, method, &options).1;
+            let part = (s.setup_ns + s.raster_ns) as f64;
+            Took {
+                part,
+                whole: before + part,
+            }
+        };
         let job = |threads: usize| -> Job<'_> {
-            let scene = &scene;
-            Box::new(move || {
-                let begin = Instant::now();
-                // The size is one that scenes may have.
-                let Ok(p) = Prepared::new(scene, Some(SIZE), &Skips::all()) else {
-                    return Took::NOTHING;
-                };
-                let before = begin.elapsed().as_nanos() as f64;
-                let options = RenderOptions {
-                    threads: Some(threads),
-                    ..RenderOptions::default()
-                };
-                let s = render(&p, method, &options).1;
-                let part = (s.setup_ns + s.raster_ns) as f64;
-                Took {
-                    part,
-                    whole: before + part,
-                }
-            })
+            Box::new(move || with_threads(Some(threads), || frame(threads)))
         };
         let times = Times::measure(vec![job(1), job(2)], effort);
         let ms = |job, which| cell(times.ns(job, which), |ns| format!("{:.2}", ns / 1e6));

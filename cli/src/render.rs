@@ -11,7 +11,8 @@ use serde_json::{json, Value};
 use shadegate_reference::animation::Player;
 use shadegate_reference::antialias::{self, Antialias};
 use shadegate_reference::sample::{self, Filter, Wanted, SAMPLE_LIMIT};
-use shadegate_reference::{scene, supported, Frame, Method, Prepared, RenderOptions, Skips};
+use shadegate_reference::{scene, supported, with_threads};
+use shadegate_reference::{Frame, Method, Prepared, RenderOptions, Skips};
 use shadegate_testbench::compare::{compare, save_png, Comparison, Rgb8Ref};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -136,7 +137,8 @@ pub fn run(a: &RenderArgs, global: Global) -> Outcome {
             ..RenderOptions::default()
         },
     };
-    let first = Prepared::new(&scene, size, &skips).map_err(Failure::input)?;
+    let first = with_threads(threads, || Prepared::new(&scene, size, &skips));
+    let first = first.map_err(Failure::input)?;
     for m in against.into_iter().chain([method]) {
         supported(&first, m).map_err(Failure::input)?;
         antialias::supported(m, wanted.antialias).map_err(Failure::input)?;

@@ -24,6 +24,7 @@ pub mod visibility;
 
 pub use geometry::{Prepared, ScreenTriangle, TriangleCounts};
 pub use method::Method;
+pub use parallel::with as with_threads;
 pub use render::{render, Frame, RenderOptions, RenderStats};
 pub use scene::{Scene, SceneError};
 pub use shade::{to_byte, KNOT_MAX};

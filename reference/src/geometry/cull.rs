@@ -3,6 +3,7 @@
 
 use super::camera::{Clip, View};
 use super::clip::Planes;
+use crate::parallel;
 use glam::{DMat4, DVec3};
 
 /// Roundings on the way to a distance, relative to what it is computed from, stay far below this.
@@ -11,11 +12,17 @@ const SLACK: f64 = 1e-12;
 /// The corners of the box around `points`; none for no points.
 #[must_use]
 pub fn corners(points: &[DVec3]) -> Option<[DVec3; 8]> {
-    let (first, rest) = points.split_first()?;
-    let (mut lo, mut hi) = (*first, *first);
-    for p in rest {
-        (lo, hi) = (lo.min(*p), hi.max(*p));
-    }
+    let first = *points.first()?;
+    let part = |(lo, hi): (DVec3, DVec3), p: &DVec3| (lo.min(*p), hi.max(*p));
+    let size = parallel::share(points.len(), 8192, 4);
+    let boxes = parallel::parts(
+        points.len(),
+        size,
+        || (),
+        |(), range| points[range].iter().fold((first, first), part),
+    );
+    let whole = |(lo, hi): (DVec3, DVec3), b: (DVec3, DVec3)| (lo.min(b.0), hi.max(b.1));
+    let (lo, hi) = boxes.into_iter().fold((first, first), whole);
     Some([0, 1, 2, 3, 4, 5, 6, 7].map(|k| {
         let pick = |axis: usize| if k >> axis & 1 == 0 { lo } else { hi }[axis];
         DVec3::new(pick(0), pick(1), pick(2))

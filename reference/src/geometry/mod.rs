@@ -6,6 +6,8 @@ pub mod cull;
 pub mod facing;
 mod pool;
 mod prepare;
+mod select;
+mod selected;
 mod wire;
 
 pub use wire::{WireEdge, Wires};
@@ -131,8 +133,9 @@ impl Prepared {
     /// Whether the material of any drawn triangle has a bump map.
     #[must_use]
     pub fn has_bumps(&self) -> bool {
-        let bumpy = |t: &ScreenTriangle| self.surroundings.material(t.material).bump.is_some();
-        self.triangles.iter().any(bumpy)
+        let s = &self.surroundings;
+        let bumpy = |t: &ScreenTriangle| s.material(t.material).bump.is_some();
+        s.materials().iter().any(|m| m.bump.is_some()) && self.triangles.iter().any(bumpy)
     }
 
     /// Lights, materials and viewer.

@@ -1,60 +1,28 @@
-//! The pass over all triangles that makes a [`Prepared`]: first which are drawn, on vertices that are transformed once
-//! and only when a face that may be seen needs them; then, when the depth range is known, the list itself.
+//! The pass over all triangles that makes a [`Prepared`]: first which are drawn, part by part of the faces, on vertices
+//! that are transformed once in each part and only when a face that may be seen needs them; then, when the depth range
+//! is known, the list itself. The list is the same however the faces are divided.
 
 use super::camera::View;
-use super::clip::{clip, Planes, Vertex};
-use super::cull::{box_outside, corners, outside};
+use super::clip::Planes;
+use super::cull::{box_outside, corners};
 use super::facing::Facing;
-use super::pool::{mirrors, Pool, Stand};
+use super::pool::Stand;
+use super::select::{Memory, Selection, SkipsOn};
+use super::selected::{Piece, Reason, Selected, Subject};
 use super::{Prepared, ScreenTriangle, TriangleCounts, Wires, UNSHARED};
-use crate::raster::{area2, covers_any, Point, Viewport};
-use crate::scene::{Draw, Object, Scene, SceneError, IMAGE_LIMIT};
+use crate::parallel;
+use crate::raster::Viewport;
+use crate::scene::{Draw, Scene, SceneError, IMAGE_LIMIT};
 use crate::shade::reach::missing;
 use crate::shade::Surroundings;
-use crate::skips::{
-    Skips, BACK_FACE, CLIPPED_AWAY, DEGENERATE, FRUSTUM, OUTSIDE, SPOT, UNCOVERED, VERTEX,
-};
-use glam::{DVec2, DVec3};
+use crate::skips::{Skips, FRUSTUM, SPOT, VERTEX};
 use std::collections::BTreeMap;
+use std::ops::Range;
 
-/// Why a triangle or a piece of one is not drawn; of several pieces, the last reason stands for the triangle.
-type Reason = &'static str;
-
-/// A triangle that is drawn.
-#[derive(Clone, Copy, Debug)]
-struct Piece {
-    /// Places in the pool.
-    places: [u32; 3],
-    object: u32,
-    face: u32,
-    /// Made by clipping: its vertices are its own.
-    cut: bool,
-}
-
-struct Pass<'a> {
-    pool: Pool,
-    frustum: Planes,
-    viewport: Viewport,
-    skips: SkipsOn,
-    front: Vec<Piece>,
-    back: Vec<Piece>,
-    /// Least and greatest nearness of what is visible whatever is skipped: front faces that cover a pixel.
-    range: [f64; 2],
-    counts: TriangleCounts,
-    skipped: BTreeMap<Reason, u64>,
-    polygon: Vec<Vertex>,
-    scene: &'a Scene,
-}
-
-/// The skips that are asked for every triangle.
-#[derive(Clone, Copy)]
-struct SkipsOn {
-    frustum: bool,
-    vertex: bool,
-    back_face: bool,
-    outside: bool,
-    uncovered: bool,
-}
+/// Least number of faces worth a part of their own.
+const LEAST: usize = 1024;
+/// Parts for each thread: those of the far side of an object are soon done.
+const PARTS: usize = 8;
 
 impl Prepared {
     /// Prepares a scene for its own frame size or another one.
@@ -62,6 +30,18 @@ impl Prepared {
     /// # Errors
     /// A frame size of zero or beyond [`IMAGE_LIMIT`].
     pub fn new(scene: &Scene, size: Option<(u32, u32)>, skips: &Skips) -> Result<Self, SceneError> {
+        Self::in_parts(scene, size, skips, |faces| {
+            parallel::share(faces, LEAST, PARTS)
+        })
+    }
+
+    /// With parts of so many faces.
+    fn in_parts(
+        scene: &Scene,
+        size: Option<(u32, u32)>,
+        skips: &Skips,
+        part: impl Fn(usize) -> usize,
+    ) -> Result<Self, SceneError> {
         let (width, height) = size.unwrap_or((scene.image.width, scene.image.height));
         if width == 0 || height == 0 || width > IMAGE_LIMIT || height > IMAGE_LIMIT {
             return Err(SceneError::new(
@@ -73,51 +53,54 @@ impl Prepared {
             ));
         }
         let view = View::new(&scene.camera, width, height);
-        let mut pass = Pass {
-            pool: Pool::new(view),
+        let selection = Selection {
+            view,
+            guard: Planes::guard(&view),
             frustum: Planes::frustum(&view),
             viewport: Viewport { width, height },
-            skips: SkipsOn {
-                frustum: skips.is_on(FRUSTUM),
-                vertex: skips.is_on(VERTEX),
-                back_face: skips.is_on(BACK_FACE),
-                outside: skips.is_on(OUTSIDE),
-                uncovered: skips.is_on(UNCOVERED),
-            },
-            front: Vec::new(),
-            back: Vec::new(),
-            range: [f64::INFINITY, f64::NEG_INFINITY],
-            counts: TriangleCounts::default(),
-            skipped: BTreeMap::new(),
-            polygon: Vec::new(),
-            scene,
+            skips: SkipsOn::new(skips),
         };
-        for (i, object) in scene.objects.iter().enumerate() {
-            if object.draw == Draw::Shaded {
-                pass.object(i as u32, object);
+        let mut counts = TriangleCounts::default();
+        let mut skipped = BTreeMap::new();
+        let subjects = subjects(scene, &selection, skips, &mut counts, &mut skipped);
+        let cast = Cast::new(&subjects);
+        let parts = parallel::parts(
+            cast.faces(),
+            part(cast.faces()),
+            Memory::default,
+            |memory, faces| cast.select(&selection, faces, memory),
+        );
+        let parts: Vec<_> = parts.into_iter().flatten().collect();
+        let list = List::new(&cast, &parts);
+        for (_, part) in &parts {
+            counts.clipped += part.clipped;
+            for (reason, n) in Reason::NAMES.into_iter().zip(part.skipped) {
+                counts.culled += n;
+                count(&mut skipped, reason, n);
             }
         }
-        pass.fit_depth();
-        // Back faces behind the front faces in order, so that of equal depths the front wins.
-        let mut pieces = std::mem::take(&mut pass.front);
-        pieces.append(&mut pass.back);
-        let triangles: Vec<_> = pieces.iter().map(|p| pass.triangle(p)).collect();
-        let vertices = pieces.iter().map(|p| pass.numbers(p)).collect();
-        pass.counts.drawn = triangles.len() as u64;
-        let surroundings = Surroundings::new(scene).skipping_spots(skips.is_on(SPOT));
-        let dark = missing(&surroundings, triangles.iter().map(|t| &t.world));
-        if dark > 0 {
-            pass.skipped.insert(SPOT, dark);
+        counts.drawn = list.len as u64;
+        // Not at the same time: a thread is to find the pieces that it has made itself.
+        let triangles = parallel::fill(list.len, |i| list.triangle(i));
+        let (vertices, untouched) = parallel::both(
+            list.len,
+            || parallel::fill(list.len, |i| list.numbers(i)),
+            || cast.untouched(&parts),
+        );
+        if selection.skips.vertex {
+            count(&mut skipped, VERTEX, untouched);
         }
-        let wires = Wires::new(scene, &view, skips, &mut pass.skipped);
+        let surroundings = Surroundings::new(scene).skipping_spots(skips.is_on(SPOT));
+        count(&mut skipped, SPOT, missing(&surroundings, &triangles));
+        let wires = Wires::new(scene, &view, skips, &mut skipped);
         Ok(Self {
             scene_name: scene.name.clone(),
             width,
             height,
             background: scene.image.background,
             triangles,
-            counts: pass.counts,
-            skipped: pass.skipped,
+            counts,
+            skipped,
             vertices,
             surroundings,
             wires,
@@ -126,228 +109,251 @@ impl Prepared {
 }
 
 /// Counts what there is to count; reasons that do not occur are left out.
-fn count(skipped: &mut BTreeMap<Reason, u64>, reason: Reason, n: u64) {
+fn count(skipped: &mut BTreeMap<&'static str, u64>, reason: &'static str, n: u64) {
     if n > 0 {
         *skipped.entry(reason).or_default() += n;
     }
 }
 
-impl Pass<'_> {
-    fn skip(&mut self, reason: Reason, triangles: u64) {
-        self.counts.culled += triangles;
-        count(&mut self.skipped, reason, triangles);
-    }
-
-    fn object(&mut self, index: u32, object: &Object) {
-        let mesh = &object.mesh;
-        self.counts.in_ += mesh.triangles.len() as u64;
-        let around = corners(&mesh.positions);
-        let beside = |c| box_outside(&self.pool.view, object.transform, c);
-        if self.skips.frustum && around.as_ref().is_some_and(beside) {
-            self.skip(FRUSTUM, mesh.triangles.len() as u64);
-            return;
+/// The objects that may be seen and are drawn as surfaces.
+fn subjects<'a>(
+    scene: &'a Scene,
+    selection: &Selection,
+    skips: &Skips,
+    counts: &mut TriangleCounts,
+    skipped: &mut BTreeMap<&'static str, u64>,
+) -> Vec<Subject<'a>> {
+    let Selection { view, guard, .. } = selection;
+    let mut subjects = Vec::new();
+    for (index, object) in scene.objects.iter().enumerate() {
+        if object.draw != Draw::Shaded {
+            continue;
         }
-        let stand = Stand::new(object.transform);
-        self.pool.begin(mesh);
+        let faces = object.mesh.triangles.len() as u64;
+        counts.in_ += faces;
+        let around = corners(&object.mesh.positions);
+        let beside = |c| box_outside(view, object.transform, c);
+        if skips.is_on(FRUSTUM) && around.as_ref().is_some_and(beside) {
+            counts.culled += faces;
+            count(skipped, FRUSTUM, faces);
+            continue;
+        }
         let facing = around
-            .filter(|_| self.skips.vertex && self.skips.back_face)
-            .and_then(|c| Facing::new(&self.pool.view, &self.pool.guard, object.transform, &c));
-        if !self.skips.vertex {
-            for i in 0..mesh.positions.len() {
-                self.pool.vertex(mesh, &stand, i as u32);
-            }
-        }
-        // About half of the faces of a closed object show their front.
-        self.front.reserve(mesh.triangles.len() / 2);
-        let mut back = 0;
-        for (face, t) in mesh.triangles.iter().enumerate() {
-            let [i, j, k] = if stand.mirrored {
-                [t[0], t[2], t[1]]
-            } else {
-                *t
-            };
-            if let Some(f) = &facing {
-                let at = |i: u32| mesh.positions[i as usize];
-                if f.is_back([at(t[0]), at(t[1]), at(t[2])]) {
-                    back += 1;
-                    continue;
-                }
-            }
-            let mut place = |i| self.pool.vertex(mesh, &stand, i);
-            let piece = Piece {
-                places: [place(i), place(j), place(k)],
-                object: index,
-                face: face as u32,
-                cut: false,
-            };
-            if let Some(reason) = self.place(piece) {
-                self.skip(reason, 1);
-            }
-        }
-        self.skip(BACK_FACE, back);
-        if self.skips.vertex {
-            count(&mut self.skipped, VERTEX, self.pool.untouched());
+            .filter(|_| selection.skips.vertex && selection.skips.back_face)
+            .and_then(|c| Facing::new(view, guard, object.transform, &c));
+        subjects.push(Subject {
+            object,
+            index,
+            stand: Stand::new(object.transform),
+            facing,
+        });
+    }
+    subjects
+}
+
+/// All subjects, their faces and vertices numbered one after another.
+struct Cast<'a> {
+    subjects: &'a [Subject<'a>],
+    /// Where the faces of each begin, and of all of them the end.
+    faces: Vec<usize>,
+    /// Likewise of vertices.
+    vertices: Vec<usize>,
+}
+
+/// Where each begins that is so long, and of all of them the end.
+fn starts(lengths: impl Iterator<Item = usize>) -> Vec<usize> {
+    let sums = lengths.scan(0, |sum, n| {
+        *sum += n;
+        Some(*sum)
+    });
+    std::iter::once(0).chain(sums).collect()
+}
+
+impl<'a> Cast<'a> {
+    fn new(subjects: &'a [Subject<'a>]) -> Self {
+        let meshes = || subjects.iter().map(|s| &s.object.mesh);
+        Self {
+            subjects,
+            faces: starts(meshes().map(|m| m.triangles.len())),
+            vertices: starts(meshes().map(|m| m.positions.len())),
         }
     }
 
-    /// Keeps what is visible of a triangle, or says why nothing is.
-    fn place(&mut self, piece: Piece) -> Option<Reason> {
-        let flat = self.pool.face_normal(piece.places);
-        if flat == DVec3::ZERO || !flat.is_finite() {
-            return Some(DEGENERATE);
-        }
-        if piece.places.iter().all(|i| self.pool.get(*i).inside) {
-            return self.keep(piece).err();
-        }
-        self.cut(piece, flat)
+    fn faces(&self) -> usize {
+        self.faces.last().copied().unwrap_or(0)
     }
 
-    /// As [`Pass::place`] for a triangle that reaches out of the guard band.
-    fn cut(&mut self, piece: Piece, flat: DVec3) -> Option<Reason> {
-        let mut vertices = piece.places.map(|i| self.pool.get(i).vertex);
-        if self.skips.outside && outside(&self.frustum, &vertices.map(|v| v.clip)) {
-            return Some(OUTSIDE);
-        }
-        for (v, uv) in vertices.iter_mut().zip(self.uv(&piece)) {
-            v.uv = uv;
-            if v.normal == DVec3::ZERO {
-                v.normal = flat.normalize_or_zero();
-            }
-        }
-        let mut polygon = std::mem::take(&mut self.polygon);
-        clip(&self.pool.guard, vertices, &mut polygon);
-        let mut reason = (polygon.len() < 3).then_some(CLIPPED_AWAY);
-        let mut drawn = false;
-        if polygon.len() >= 3 {
-            let places: Vec<u32> = polygon.iter().map(|v| self.pool.add(*v)).collect();
-            for k in 2..places.len() {
-                let part = Piece {
-                    places: [places[0], places[k - 1], places[k]],
-                    cut: true,
-                    ..piece
-                };
-                match self.keep(part) {
-                    Ok(()) => drawn = true,
-                    Err(why) => reason = Some(why),
-                }
-            }
-        }
-        self.polygon = polygon;
-        if drawn {
-            self.counts.clipped += 1;
-            return None;
-        }
-        reason
-    }
-
-    /// Keeps a triangle inside the guard band, or says why it is not drawn.
-    fn keep(&mut self, piece: Piece) -> Result<(), Reason> {
-        let [p, q, r] = piece.places;
-        let (p, q, r) = (self.pool.get(p), self.pool.get(q), self.pool.get(r));
-        let (Some(a), Some(b), Some(c)) = (p.position, q.position, r.position) else {
-            return Err(DEGENERATE);
+    /// Looks at a part of all faces: for each subject that it is of, what is drawn.
+    fn select(
+        &self,
+        selection: &Selection,
+        faces: Range<usize>,
+        memory: &mut Memory,
+    ) -> Vec<(usize, Selected)> {
+        let first = self.faces.partition_point(|start| *start <= faces.start) - 1;
+        let parts = (first..self.subjects.len()).take_while(|k| self.faces[*k] < faces.end);
+        let select = |k: usize| {
+            let (start, end) = (self.faces[k], self.faces[k + 1]);
+            let own = faces.start.max(start) - start..faces.end.min(end) - start;
+            (k, selection.select(&self.subjects[k], own, memory))
         };
-        let position = [a, b, c];
-        let area = area2(position);
-        if area == 0 {
-            return Err(DEGENERATE);
-        }
-        let back = area > 0;
-        if back && self.skips.back_face {
-            return Err(BACK_FACE);
-        }
-        if self.skips.outside && self.beside(position) {
-            return Err(OUTSIDE);
-        }
-        let covers = covers_any(position, self.viewport);
-        if !covers && self.skips.uncovered {
-            return Err(UNCOVERED);
-        }
-        if covers && !back {
-            let [lo, hi] = self.range;
-            let least = p.depth.min(q.depth).min(r.depth);
-            let most = p.depth.max(q.depth).max(r.depth);
-            self.range = [lo.min(least), hi.max(most)];
-        }
-        if back {
-            self.back.push(piece);
-        } else {
-            self.front.push(piece);
-        }
-        Ok(())
+        parts.map(select).collect()
     }
 
-    /// Whether the snapped triangle lies wholly on one side of the viewport.
-    fn beside(&self, p: [Point; 3]) -> bool {
-        let edge = |pixels: u32| pixels as i32 * crate::raster::SUBPIXELS;
-        let (w, h) = (edge(self.viewport.width), edge(self.viewport.height));
-        let [x, y] = [p.map(|q| q.x), p.map(|q| q.y)];
-        let most = |v: [i32; 3]| v[0].max(v[1]).max(v[2]);
-        let least = |v: [i32; 3]| v[0].min(v[1]).min(v[2]);
-        most(x) <= 0 || least(x) >= w || most(y) <= 0 || least(y) >= h
+    /// Vertices that no part transformed.
+    fn untouched(&self, parts: &[(usize, Selected)]) -> u64 {
+        let all = self.vertices.last().copied().unwrap_or(0);
+        let mut untouched = all;
+        for of_one in parts.chunk_by(|a, b| a.0 == b.0) {
+            if let [(_, part)] = of_one {
+                untouched -= part.pool.numbers().len();
+                continue;
+            }
+            let k = of_one[0].0;
+            let mut seen = vec![false; self.vertices[k + 1] - self.vertices[k]];
+            for number in of_one.iter().flat_map(|(_, part)| part.pool.numbers()) {
+                seen[*number as usize] = true;
+            }
+            untouched -= seen.iter().filter(|s| **s).count();
+        }
+        untouched as u64
+    }
+}
+
+/// From so many pieces on the run of a piece is looked for.
+const HINT: usize = 16;
+
+/// What is drawn, in order.
+struct List<'a> {
+    cast: &'a Cast<'a>,
+    /// The pieces of each part: first the fronts of all, then the backs, so that of equal depths the front wins.
+    runs: Vec<Run<'a>>,
+    /// Where each run begins, and of all of them the end.
+    starts: Vec<usize>,
+    /// The runs that pieces 0, [`HINT`], 2·[`HINT`], … are in.
+    hints: Vec<u32>,
+    len: usize,
+    /// Least and greatest nearness.
+    range: [f64; 2],
+}
+
+struct Run<'a> {
+    subject: usize,
+    part: &'a Selected,
+    pieces: &'a [Piece],
+}
+
+impl<'a> List<'a> {
+    fn new(cast: &'a Cast<'a>, parts: &'a [(usize, Selected)]) -> Self {
+        let run = |(subject, part): &'a (usize, Selected), pieces| Run {
+            subject: *subject,
+            part,
+            pieces,
+        };
+        let fronts = parts.iter().map(|p| run(p, &p.1.front[..]));
+        let backs = parts.iter().map(|p| run(p, &p.1.back[..]));
+        let runs: Vec<_> = fronts
+            .chain(backs)
+            .filter(|r| !r.pieces.is_empty())
+            .collect();
+        let starts = starts(runs.iter().map(|r| r.pieces.len()));
+        let mut hints = Vec::new();
+        for (k, end) in starts[1..].iter().enumerate() {
+            let run = hints.len()..end.div_ceil(HINT);
+            hints.extend(run.map(|_| k as u32));
+        }
+        let least = |a: f64, b: &(usize, Selected)| a.min(b.1.range[0]);
+        let most = |a: f64, b: &(usize, Selected)| a.max(b.1.range[1]);
+        Self {
+            cast,
+            len: starts.last().copied().unwrap_or(0),
+            starts,
+            hints,
+            runs,
+            range: [
+                parts.iter().fold(f64::INFINITY, least),
+                parts.iter().fold(f64::NEG_INFINITY, most),
+            ],
+        }
+    }
+
+    /// Piece `i`, and the run that it is in.
+    #[inline]
+    fn piece(&self, i: usize) -> (&Run<'a>, Piece) {
+        let mut k = self.hints[i / HINT] as usize;
+        while self.starts[k + 1] <= i {
+            k += 1;
+        }
+        let run = &self.runs[k];
+        (run, run.pieces[i - self.starts[k]])
     }
 
     /// Maps nearness from the range to 0..=1; a frame of one depth is all nearest. The range does not depend on what is
     /// skipped, so neither does the frame; triangles that are drawn only because a skip is off may lie outside it.
-    fn fit_depth(&mut self) {
+    #[inline]
+    fn fit(&self, depth: f64) -> f64 {
         let [lo, hi] = self.range;
-        for p in &mut self.pool.placed {
-            p.depth = if hi > lo {
-                (p.depth - lo) / (hi - lo)
-            } else {
-                1.0
-            };
+        if hi > lo {
+            (depth - lo) / (hi - lo)
+        } else {
+            1.0
         }
     }
 
-    /// The finished triangle of a piece.
-    fn triangle(&self, piece: &Piece) -> ScreenTriangle {
-        let [p, q, r] = piece.places;
-        let (p, q, r) = (self.pool.get(p), self.pool.get(q), self.pool.get(r));
-        let mut normal = [p.vertex.normal, q.vertex.normal, r.vertex.normal];
-        if normal.contains(&DVec3::ZERO) {
-            let flat = self.pool.face_normal(piece.places).normalize_or_zero();
-            for n in normal.iter_mut().filter(|n| **n == DVec3::ZERO) {
-                *n = flat;
+    /// The finished triangle `i`.
+    #[inline]
+    fn triangle(&self, i: usize) -> ScreenTriangle {
+        let (run, piece) = self.piece(i);
+        let subject = &self.cast.subjects[run.subject];
+        run.part.triangle(subject, piece, |d| self.fit(d))
+    }
+
+    /// The vertex numbers of triangle `i`.
+    #[inline]
+    fn numbers(&self, i: usize) -> [u32; 3] {
+        let (run, piece) = self.piece(i);
+        let before = self.cast.vertices[run.subject] as u32;
+        let numbers = run.part.numbers(piece);
+        numbers.map(|n| n.map_or(UNSHARED, |n| before + n))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    /// Scenes of one and of many objects, some of them cut, some textured, some mirrored; whatever is skipped.
+    #[test]
+    fn parts_do_not_matter() {
+        let (mut cut, mut back) = (0, 0);
+        for name in [
+            "sphere-690",
+            "teapot",
+            "gem",
+            "rings",
+            "perspective-floor",
+            "tiles",
+        ] {
+            let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../scenes/{name}.toml"));
+            let scene = crate::scene::load(&file).unwrap();
+            for without in ["", "vertex", "back-face,uncovered", "frustum,outside"] {
+                let skips = Skips::without(without).unwrap();
+                let whole = Prepared::in_parts(&scene, None, &skips, |_| usize::MAX).unwrap();
+                for part in [1, 7, 100, 1000] {
+                    let parts = Prepared::in_parts(&scene, None, &skips, |_| part).unwrap();
+                    assert_eq!(
+                        whole.triangles, parts.triangles,
+                        "{name}, {without}, {part}"
+                    );
+                    assert_eq!(whole.vertices, parts.vertices, "{name}, {without}, {part}");
+                    assert_eq!(whole.skipped, parts.skipped, "{name}, {without}, {part}");
+                    assert_eq!(whole.counts, parts.counts, "{name}, {without}, {part}");
+                }
+                cut += whole.counts.clipped;
+                back += u64::from(without.contains("back")) * whole.counts.drawn;
             }
         }
-        ScreenTriangle {
-            // Pieces without positions are not kept.
-            position: [p, q, r].map(|v| v.position.unwrap_or_default()),
-            inv_w: [p.inv_w, q.inv_w, r.inv_w],
-            depth: [p.depth, q.depth, r.depth],
-            world: [p.vertex.world, q.vertex.world, r.vertex.world],
-            normal,
-            uv: if piece.cut {
-                [p.vertex.uv, q.vertex.uv, r.vertex.uv]
-            } else {
-                self.uv(piece)
-            },
-            material: self.scene.objects[piece.object as usize].material,
-            object: piece.object as usize,
-            face: piece.face as usize,
-        }
-    }
-
-    /// The texture coordinates at the corners of the face that a piece is of; zero where the mesh has none.
-    fn uv(&self, piece: &Piece) -> [DVec2; 3] {
-        let object = &self.scene.objects[piece.object as usize];
-        match object.mesh.uv.get(piece.face as usize) {
-            Some([a, b, c]) if mirrors(object.transform) => [*a, *c, *b],
-            Some(uv) => *uv,
-            None => [DVec2::ZERO; 3],
-        }
-    }
-
-    /// The vertex numbers of a piece: places in the pool, where the vertex is the mesh's.
-    fn numbers(&self, piece: &Piece) -> [u32; 3] {
-        piece.places.map(|i| {
-            let own = piece.cut || self.pool.get(i).vertex.normal == DVec3::ZERO;
-            if own {
-                UNSHARED
-            } else {
-                i
-            }
-        })
+        assert!(cut > 0 && back > 0);
     }
 }

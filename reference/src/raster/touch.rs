@@ -37,6 +37,16 @@ impl Half {
     }
 }
 
+/// Whether a point in sub-pixels is on the inner side of an edge, as [`Half`] has it for the centres of many pixels.
+fn on_side(p: Point, q: Point, x: i64, y: i64) -> bool {
+    let (dx, dy) = (
+        i64::from(q.x) - i64::from(p.x),
+        i64::from(q.y) - i64::from(p.y),
+    );
+    let e = dx * (y - i64::from(p.y)) - dy * (x - i64::from(p.x));
+    e > 0 || (e == 0 && (dy < 0 || (dy == 0 && dx > 0)))
+}
+
 /// First and last pixel whose centre lies in `from..=to` (sub-pixels) and in `0..limit`.
 fn centres(from: i32, to: i32, limit: u32) -> (i64, i64) {
     let (s, half) = (i64::from(SUBPIXELS), i64::from(SUBPIXELS / 2));
@@ -63,8 +73,6 @@ pub fn covers_any(p: [Point; 3], viewport: Viewport) -> bool {
     if x0 > x1 || y0 > y1 {
         return false;
     }
-    let half = [Half::new(a, b), Half::new(b, c), Half::new(c, a)];
-    let inside = |x, y| half.iter().all(|h| h.holds(x, y));
     let third = |u: i32, v: i32, w: i32| {
         (i64::from(u) + i64::from(v) + i64::from(w)).div_euclid(3 * i64::from(SUBPIXELS))
     };
@@ -72,9 +80,16 @@ pub fn covers_any(p: [Point; 3], viewport: Viewport) -> bool {
         third(a.x, b.x, c.x).clamp(x0, x1),
         third(a.y, b.y, c.y).clamp(y0, y1),
     );
-    if inside(x, y) {
+    let centre = |v: i64| v * i64::from(SUBPIXELS) + i64::from(SUBPIXELS / 2);
+    let (cx, cy) = (centre(x), centre(y));
+    if on_side(a, b, cx, cy) && on_side(b, c, cx, cy) && on_side(c, a, cx, cy) {
         return true;
     }
+    if x0 == x1 && y0 == y1 {
+        return false;
+    }
+    let half = [Half::new(a, b), Half::new(b, c), Half::new(c, a)];
+    let inside = |x, y| half.iter().all(|h| h.holds(x, y));
     if (x1 - x0 + 1) * (y1 - y0 + 1) <= BOX {
         return (y0..=y1).any(|y| (x0..=x1).any(|x| inside(x, y)));
     }

@@ -9,7 +9,7 @@ mod scalar;
 pub use frame::{Frame, FrameError};
 
 use crate::bump::Bumped;
-use crate::geometry::Prepared;
+use crate::geometry::{Prepared, ScreenTriangle};
 use crate::line::wireframe;
 use crate::method::Method;
 use crate::parallel;
@@ -150,7 +150,10 @@ fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats)
 
 /// Whether every triangle is of the kinds that [`Dots`] and [`Phong`] draw.
 fn all_plain(p: &Prepared) -> bool {
-    p.triangles.iter().all(|t| is_plain(p, t))
+    let other = |t: &ScreenTriangle| !is_plain(p, t);
+    let others =
+        |range: std::ops::Range<usize>| p.triangles[range].iter().filter(|t| other(t)).count();
+    parallel::sum(p.triangles.len(), |range| others(range) as u64) == 0
 }
 
 /// Draws with any shader.

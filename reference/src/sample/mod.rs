@@ -13,6 +13,7 @@ use crate::animation::Player;
 use crate::antialias::{self, skips_for, Antialias};
 use crate::geometry::Prepared;
 use crate::method::Method;
+use crate::parallel;
 use crate::render::{render, Frame, RenderOptions, RenderStats};
 use crate::scene::{Scene, SceneError, IMAGE_LIMIT};
 use crate::skips;
@@ -139,7 +140,9 @@ fn shot(
 ) -> Result<Drawn, SceneError> {
     let start = Instant::now();
     let skips = skips_for(wanted.antialias, wanted.options.skips);
-    let prepared = Prepared::new(player.at(time), Some(large), &skips)?;
+    let scene = player.at(time);
+    let prepare = || Prepared::new(scene, Some(large), &skips);
+    let prepared = parallel::with(wanted.options.threads, prepare)?;
     let prepare_ns = nanoseconds(start);
     let (m, o) = (wanted.method, &wanted.options);
     let (frame, mut stats) = antialias::draw(&prepared, m, wanted.antialias, o)

@@ -6,11 +6,27 @@ use crate::geometry::{Prepared, ScreenTriangle, UNSHARED};
 use crate::parallel;
 use crate::shade::quadratic::EDGES;
 use crate::shade::{gouraud, quadratic};
+use glam::DVec3;
+use std::ops::Range;
 
-/// Where a shared knot is first met: triangle, and corner or edge.
+/// Where a knot is first met: triangle, and corner or edge.
 type Place = (usize, usize);
 
-/// Slots by pairs of vertex numbers: for each lower number a chain of the higher ones, of which a mesh has about three.
+/// Least number of triangles worth a part of their own, and parts for each thread. Knots are shared within a part only,
+/// so that parts know nothing of each other; knots on their borders are shaded for each.
+const LEAST: usize = 2048;
+const PARTS: usize = 4;
+
+/// The size of parts of the triangles of a scene.
+fn part(p: &Prepared) -> usize {
+    parallel::share(p.triangles.len(), LEAST, PARTS)
+}
+
+/// No slot.
+const NONE: u32 = u32::MAX;
+
+/// Slots by pairs of numbers: for each lower number a chain of the higher ones, of which a mesh has about three.
+#[derive(Default)]
 struct Pairs {
     first: Vec<u32>,
     chain: Vec<Link>,
@@ -22,21 +38,20 @@ struct Link {
     next: u32,
 }
 
-/// The end of a chain.
-const NONE: u32 = u32::MAX;
-
 impl Pairs {
-    /// For vertex numbers below `vertices`.
-    fn new(vertices: usize) -> Self {
-        Self {
-            first: vec![NONE; vertices],
-            chain: Vec::with_capacity(vertices),
-        }
+    /// Forgets all; for numbers below `numbers`.
+    fn clear(&mut self, numbers: usize) {
+        self.first.clear();
+        self.first.resize(numbers, NONE);
+        self.chain.clear();
+        self.chain.reserve(3 * numbers);
     }
 
     /// The slot of a pair; `new` if it has none yet.
-    fn slot(&mut self, (lower, higher): (u32, u32), new: u32) -> u32 {
-        let head = self.first[lower as usize];
+    #[inline]
+    fn slot(&mut self, a: u32, b: u32, new: u32) -> u32 {
+        let (lower, higher) = (a.min(b) as usize, a.max(b));
+        let head = self.first[lower];
         let mut at = head;
         while let Some(link) = self.chain.get(at as usize) {
             if link.higher == higher {
@@ -44,7 +59,7 @@ impl Pairs {
             }
             at = link.next;
         }
-        self.first[lower as usize] = self.chain.len() as u32;
+        self.first[lower] = self.chain.len() as u32;
         self.chain.push(Link {
             higher,
             slot: new,
@@ -54,83 +69,144 @@ impl Pairs {
     }
 }
 
-/// Knots by slot, and the slot of every corner or edge of every triangle.
-pub(crate) struct Table {
+/// Which corners, or which edges, of the triangles of a part have one knot: their slots, and where each slot is first
+/// met.
+struct Slots {
     slots: Vec<[u32; 3]>,
-    knots: Vec<[f64; 3]>,
+    met: Vec<Place>,
 }
 
 /// Everything a vertex knot depends on.
-fn same_vertex(a: &ScreenTriangle, i: usize, b: &ScreenTriangle, j: usize) -> bool {
+fn same_vertex((a, i): (&ScreenTriangle, usize), (b, j): (&ScreenTriangle, usize)) -> bool {
     a.material == b.material
         && a.world[i] == b.world[j]
         && a.normal[i] == b.normal[j]
         && a.inv_w[i] == b.inv_w[j]
 }
 
-fn same_edge(a: &ScreenTriangle, k: usize, b: &ScreenTriangle, m: usize) -> bool {
-    let ((i, j), (x, y)) = (EDGES[k], EDGES[m]);
-    let straight = same_vertex(a, i, b, x) && same_vertex(a, j, b, y);
-    let crossed = same_vertex(a, i, b, y) && same_vertex(a, j, b, x);
-    (straight || crossed) && !quadratic::cancels(a, k)
+/// Vertices of the triangles of a part that are `wanted`, by their numbers; that they are the same is made sure.
+fn vertex_slots(
+    p: &Prepared,
+    range: Range<usize>,
+    first: &mut Vec<u32>,
+    wanted: impl Fn(usize) -> bool,
+) -> Slots {
+    let mut met: Vec<Place> = Vec::with_capacity(range.len());
+    first.clear();
+    let slots = range.map(|t| {
+        if !wanted(t) {
+            return [NONE; 3];
+        }
+        let numbers = p.vertices.get(t).copied().unwrap_or([UNSHARED; 3]);
+        [0, 1, 2].map(|i| {
+            let new = met.len() as u32;
+            let number = numbers[i] as usize;
+            if numbers[i] != UNSHARED {
+                if first.len() <= number {
+                    first.resize((number + 1).max(2 * first.len()), NONE);
+                }
+                if let Some((u, j)) = met.get(first[number] as usize) {
+                    if same_vertex((&p.triangles[t], i), (&p.triangles[*u], *j)) {
+                        return first[number];
+                    }
+                }
+                first[number] = new;
+            }
+            met.push((t, i));
+            new
+        })
+    });
+    Slots {
+        slots: slots.collect(),
+        met,
+    }
 }
 
-/// Gives out slots: `key` names what may be shared (none: not at all), `same` makes sure, `shade` fills.
-fn table(
-    p: &Prepared,
-    wanted: impl Fn(usize) -> bool,
-    key: impl Fn(usize, usize) -> Option<(u32, u32)>,
-    same: impl Fn(Place, Place) -> bool,
-    shade: impl Fn(Place) -> [f64; 3] + Sync + Send,
-) -> Table {
-    let mut places: Vec<Place> = Vec::new();
-    let numbers = p.vertices.iter().flatten().filter(|n| **n != UNSHARED);
-    let mut seen = Pairs::new(numbers.max().map_or(0, |n| *n as usize + 1));
-    let mut slots = Vec::with_capacity(p.triangles.len());
-    for t in 0..p.triangles.len() {
-        if !wanted(t) {
-            slots.push([0; 3]);
-            continue;
-        }
-        slots.push([0, 1, 2].map(|i| {
-            let new = places.len() as u32;
-            if let Some(key) = key(t, i) {
-                let slot = seen.slot(key, new);
-                if slot != new && same((t, i), places[slot as usize]) {
-                    return slot;
-                }
+/// Whether the normals at the ends of edge `k` may cancel; they do not when less than 90 degrees apart and not short,
+/// because weights are positive.
+fn may_cancel(t: &ScreenTriangle, k: usize) -> bool {
+    let (a, b) = (t.normal[EDGES[k].0], t.normal[EDGES[k].1]);
+    let long = |n: DVec3| n.length_squared() > 0.01;
+    !(a.dot(b) >= 0.0 && long(a) && long(b)) && quadratic::cancels(t, k)
+}
+
+/// Edges of the triangles of a part between the slots of their vertices.
+fn edge_slots(p: &Prepared, start: usize, vertices: &Slots, pairs: &mut Pairs) -> Slots {
+    pairs.clear(vertices.met.len());
+    let mut met: Vec<Place> = Vec::with_capacity(2 * vertices.met.len());
+    let slots = vertices.slots.iter().enumerate().map(|(n, ends)| {
+        [0, 1, 2].map(|k| {
+            let (a, b) = (ends[EDGES[k].0], ends[EDGES[k].1]);
+            if a == NONE {
+                return NONE;
             }
-            places.push((t, i));
+            let new = met.len() as u32;
+            let slot = pairs.slot(a, b, new);
+            if slot != new && !may_cancel(&p.triangles[start + n], k) {
+                return slot;
+            }
+            met.push((start + n, k));
             new
-        }));
+        })
+    });
+    Slots {
+        slots: slots.collect(),
+        met,
     }
-    let knots = parallel::map(places.len(), |i| shade(places[i]));
-    Table { slots, knots }
+}
+
+/// Knots by slot, and the slot of every corner or edge of every triangle.
+struct Part {
+    slots: Vec<[u32; 3]>,
+    knots: Vec<[f64; 3]>,
+}
+
+impl Slots {
+    fn shade(self, shade: impl Fn(Place) -> [f64; 3]) -> Part {
+        Part {
+            knots: self.met.iter().map(|place| shade(*place)).collect(),
+            slots: self.slots,
+        }
+    }
+
+    fn vertices(self, p: &Prepared) -> Part {
+        self.shade(|(t, i)| gouraud::vertex(p, &p.triangles[t], i))
+    }
+
+    fn edges(self, p: &Prepared) -> Part {
+        self.shade(|(t, k)| quadratic::middle(p, &p.triangles[t], k))
+    }
+}
+
+/// Knots of every triangle.
+pub(crate) struct Table {
+    /// Triangles in a part.
+    size: usize,
+    parts: Vec<Part>,
 }
 
 impl Table {
     /// The knots of triangle `t`.
+    #[inline]
     pub(crate) fn of(&self, t: usize) -> [[f64; 3]; 3] {
-        self.slots[t].map(|s| self.knots[s as usize])
+        let part = &self.parts[t / self.size];
+        part.slots[t % self.size].map(|s| part.knots[s as usize])
     }
 }
 
 /// Vertex knots.
 pub(crate) fn vertices(p: &Prepared) -> Table {
-    let number = |t: usize, i: usize| p.vertices.get(t).map(|v| v[i]).filter(|n| *n != UNSHARED);
-    table(
-        p,
-        |_| true,
-        |t, i| number(t, i).map(|n| (n, n)),
-        |(t, i), (u, j)| same_vertex(&p.triangles[t], i, &p.triangles[u], j),
-        |(t, i)| gouraud::vertex(p, &p.triangles[t], i),
-    )
+    let size = part(p);
+    let parts = parallel::parts(p.triangles.len(), size, Vec::new, |first, range| {
+        vertex_slots(p, range, first, |_| true).vertices(p)
+    });
+    Table { size, parts }
 }
 
 /// [`gouraud::knots`] of every triangle.
 pub(crate) fn linear(p: &Prepared) -> Vec<[[f64; 3]; 3]> {
     let v = vertices(p);
-    (0..p.triangles.len()).map(|t| v.of(t)).collect()
+    parallel::fill(p.triangles.len(), |t| v.of(t))
 }
 
 /// Vertex and mid-edge knots.
@@ -140,15 +216,26 @@ pub(crate) struct Six {
 }
 
 impl Six {
-    /// Shades every knot once.
+    /// Shades every knot once in each part.
     pub(crate) fn new(p: &Prepared) -> Self {
+        let size = part(p);
+        let both = |(first, pairs): &mut (Vec<u32>, Pairs), range: Range<usize>| {
+            let start = range.start;
+            let vertices = vertex_slots(p, range, first, |_| true);
+            let edges = edge_slots(p, start, &vertices, pairs).edges(p);
+            (vertices.vertices(p), edges)
+        };
+        let parts = parallel::parts(p.triangles.len(), size, Default::default, both);
+        let (vertices, edges) = parts.into_iter().unzip();
+        let table = |parts| Table { size, parts };
         Self {
-            vertices: vertices(p),
-            edges: edges(p, |_| true),
+            vertices: table(vertices),
+            edges: table(edges),
         }
     }
 
     /// The knots of triangle `t`.
+    #[inline]
     pub(crate) fn of(&self, t: usize) -> [[f64; 3]; 6] {
         let ([a, b, c], [d, e, f]) = (self.vertices.of(t), self.edges.of(t));
         [a, b, c, d, e, f]
@@ -158,22 +245,19 @@ impl Six {
 /// [`quadratic::knots`] of every triangle.
 pub(crate) fn square(p: &Prepared) -> Vec<[[f64; 3]; 6]> {
     let six = Six::new(p);
-    (0..p.triangles.len()).map(|t| six.of(t)).collect()
+    parallel::fill(p.triangles.len(), |t| six.of(t))
 }
 
 /// Mid-edge knots of the triangles that are `wanted`; those of others must not be asked for.
-pub(crate) fn edges(p: &Prepared, wanted: impl Fn(usize) -> bool) -> Table {
-    let number = |t: usize, i: usize| p.vertices.get(t).map(|v| v[i]).filter(|n| *n != UNSHARED);
-    table(
-        p,
-        wanted,
-        |t, k| {
-            let (a, b) = (number(t, EDGES[k].0)?, number(t, EDGES[k].1)?);
-            Some((a.min(b), a.max(b)))
-        },
-        |(t, k), (u, m)| same_edge(&p.triangles[t], k, &p.triangles[u], m),
-        |(t, k)| quadratic::middle(p, &p.triangles[t], k),
-    )
+pub(crate) fn edges(p: &Prepared, wanted: impl Fn(usize) -> bool + Sync + Send) -> Table {
+    let size = part(p);
+    let edges = |(first, pairs): &mut (Vec<u32>, Pairs), range: Range<usize>| {
+        let start = range.start;
+        let vertices = vertex_slots(p, range, first, &wanted);
+        edge_slots(p, start, &vertices, pairs).edges(p)
+    };
+    let parts = parallel::parts(p.triangles.len(), size, Default::default, edges);
+    Table { size, parts }
 }
 
 #[cfg(test)]
@@ -200,11 +284,8 @@ mod tests {
             }
             if name == "sphere-690" {
                 let v = vertices(&p);
-                assert!(
-                    v.knots.len() * 4 < p.triangles.len() * 3,
-                    "{}",
-                    v.knots.len()
-                );
+                let knots: usize = v.parts.iter().map(|part| part.knots.len()).sum();
+                assert!(knots * 4 < p.triangles.len() * 3, "{knots}");
             }
         }
     }

@@ -4,7 +4,8 @@ use super::clock::{in_turns, median, Effort};
 use super::sweep::{apart, one_thread};
 use super::{BenchError, OnStep};
 use serde::Serialize;
-use shadegate_reference::{render, scene, Frame, Method, Prepared, RenderOptions, Scene, Skips};
+use shadegate_reference::{render, scene, with_threads};
+use shadegate_reference::{Frame, Method, Prepared, RenderOptions, Scene, Skips};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -83,7 +84,7 @@ fn draw(scene: &Scene, method: Method, skips: Skips) -> Result<(Duration, Drawn)
         ..one_thread()
     };
     let begin = Instant::now();
-    let p = Prepared::new(scene, None, &skips)?;
+    let p = with_threads(options.threads, || Prepared::new(scene, None, &skips))?;
     let prepare = begin.elapsed();
     let (frame, stats) = render(&p, method, &options);
     // Not the making of a thread of its own, which no skip changes.

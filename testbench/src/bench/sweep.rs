@@ -12,7 +12,8 @@ use super::select::Selection;
 use super::{BenchError, OnStep};
 use crate::compare::{compare, Comparison, Rgb8Ref};
 use shadegate_reference::render::Vectors;
-use shadegate_reference::{render, Frame, Method, Prepared, RenderOptions, RenderStats, Skips};
+use shadegate_reference::{render, with_threads};
+use shadegate_reference::{Frame, Method, Prepared, RenderOptions, RenderStats, Skips};
 use std::time::Duration;
 
 /// What is swept over, besides methods and scenes.
@@ -83,7 +84,8 @@ pub fn sweep(
             for &(width, height) in &grid.sizes {
                 let what = format!("{}, n = {exponent}, {width}x{height}", scene.name);
                 on_step(done, total, &what);
-                let p = Prepared::new(&made, Some((width, height)), &Skips::all())?;
+                let prepare = || Prepared::new(&made, Some((width, height)), &Skips::all());
+                let p = with_threads(one_thread().threads, prepare)?;
                 rows.extend(task(scene, exponent, &p, &selection.methods, grid.effort)?);
                 done += 1;
             }

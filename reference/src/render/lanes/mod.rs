@@ -75,11 +75,11 @@ pub(super) fn draw(
 }
 
 #[inline(always)]
-fn triangles<S: Simd>(
+fn triangles<'a, S: Simd>(
     simd: S,
     p: &Prepared,
     band: &mut Band<'_>,
-    bin: &[u32],
+    bin: impl Iterator<Item = &'a u32>,
     paint: &Painter<'_>,
 ) {
     for i in bin {
@@ -153,47 +153,63 @@ fn stays_in_range(k: &[[f64; 3]; 6]) -> bool {
     })
 }
 
-/// Which triangles touch which band, in drawing order: one list of numbers, and where each band's begins.
-struct Bins {
+/// Which triangles touch which band, in drawing order, for parts of all triangles that follow each other.
+struct Bins(Vec<Bin>);
+
+/// One list of numbers, and where each band's begins.
+struct Bin {
     start: Vec<u32>,
     triangles: Vec<u32>,
 }
 
 impl Bins {
     fn new(p: &Prepared) -> Self {
+        let count = p.triangles.len();
+        let size = parallel::share(count, 2048, 4);
+        let bin = |spans: &mut Vec<[u16; 2]>, range| Bin::new(p, range, spans);
+        Self(parallel::parts(count, size, Vec::new, bin))
+    }
+
+    fn of(&self, band: usize) -> impl Iterator<Item = &u32> {
+        self.0.iter().flat_map(move |bin| {
+            let [from, to] = [band, band + 1].map(|k| bin.start[k] as usize);
+            &bin.triangles[from..to]
+        })
+    }
+}
+
+impl Bin {
+    /// `spans` is memory for the first and last band of each triangle.
+    fn new(p: &Prepared, range: std::ops::Range<usize>, spans: &mut Vec<[u16; 2]>) -> Self {
         let bands = (p.height as usize).div_ceil(BAND);
         let last_row = p.height as i32 - 1;
-        let rows = |t: &crate::ScreenTriangle| {
+        let mut start = vec![0u32; bands + 1];
+        spans.clear();
+        spans.extend(p.triangles[range.clone()].iter().map(|t| {
             let y = t.position.map(|q| q.y);
             let (top, bottom) = (y[0].min(y[1]).min(y[2]), y[0].max(y[1]).max(y[2]));
             let first = ((top + SUBPIXELS / 2 - 1) >> crate::raster::SUBPIXEL_BITS).max(0);
             let last = ((bottom - SUBPIXELS / 2) >> crate::raster::SUBPIXEL_BITS).min(last_row);
-            (first <= last).then_some((first as usize / BAND, last as usize / BAND))
-        };
-        let mut start = vec![0u32; bands + 1];
-        for t in &p.triangles {
-            if let Some((a, b)) = rows(t) {
-                start[a..=b].iter_mut().for_each(|n| *n += 1);
+            if first > last {
+                return [1, 0];
             }
-        }
+            let (a, b) = (first as usize / BAND, last as usize / BAND);
+            start[a..=b].iter_mut().for_each(|n| *n += 1);
+            [a as u16, b as u16]
+        }));
         let mut sum = 0;
         for n in &mut start {
             sum += std::mem::replace(n, sum);
         }
         let mut triangles = vec![0; sum as usize];
         let mut next = start.clone();
-        for (i, t) in p.triangles.iter().enumerate() {
-            if let Some((a, b)) = rows(t) {
-                for n in &mut next[a..=b] {
-                    triangles[*n as usize] = i as u32;
-                    *n += 1;
-                }
+        for (i, [a, b]) in range.zip(&*spans) {
+            for k in *a..=*b {
+                let n = &mut next[usize::from(k)];
+                triangles[*n as usize] = i as u32;
+                *n += 1;
             }
         }
         Self { start, triangles }
-    }
-
-    fn of(&self, band: usize) -> &[u32] {
-        &self.triangles[self.start[band] as usize..self.start[band + 1] as usize]
     }
 }

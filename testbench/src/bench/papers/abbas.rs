@@ -6,7 +6,7 @@ use super::super::scenes::Tessellation;
 use super::super::sweep::{one_thread, pixel_by_pixel};
 use super::super::BenchError;
 use super::Claim;
-use shadegate_reference::{render, Method, Prepared, Skips};
+use shadegate_reference::{render, with_threads, Method, Prepared, Skips};
 use std::time::Instant;
 
 const SOURCE: &str = "Abbas 2003, ch. 7";
@@ -21,7 +21,8 @@ pub fn claims(effort: Effort) -> Result<Vec<Claim>, BenchError> {
         .filter_map(|(name, ms)| Some((name.parse::<Method>().ok()?, *ms)));
     let methods: Vec<(Method, f64)> = known.collect();
     let scene = Tessellation::of_690().scene(20)?;
-    let p = Prepared::new(&scene, Some((640, 480)), &Skips::all())?;
+    let prepare = || Prepared::new(&scene, Some((640, 480)), &Skips::all());
+    let p = with_threads(one_thread().threads, prepare)?;
     let mut claims = Vec::new();
     for (how, options) in [
         ("pixel by pixel", pixel_by_pixel()),
