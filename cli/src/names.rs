@@ -129,11 +129,11 @@ mod tests {
         }
         assert_eq!(
             core("goraud").unwrap_err().message,
-            "unknown core 'goraud'; the nearest is 'gouraud' of gouraud, quadratic, quadratic-dots"
+            "unknown core 'goraud'; the nearest is 'gouraud' of gouraud, quadratic, quadratic-dots, duff"
         );
         assert_eq!(
             with_core(Method::Flat).unwrap_err().message,
-            "method 'flat' has no core; cores: gouraud, quadratic, quadratic-dots"
+            "method 'flat' has no core; cores: gouraud, quadratic, quadratic-dots, duff"
         );
     }
 

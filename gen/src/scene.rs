@@ -9,7 +9,7 @@ use shadegate_hdl::shade::model::Order;
 use shadegate_reference::{depth, shade, Method, Prepared, Scene, ScreenTriangle};
 
 /// Methods that have a core, by catalogue name.
-pub const CORES: [(&str, Order, Method); 3] = [
+pub const CORES: [(&str, Order, Method); 4] = [
     ("gouraud", Order::Linear, Method::Gouraud),
     ("quadratic", Order::Quadratic, Method::Quadratic),
     (
@@ -17,6 +17,7 @@ pub const CORES: [(&str, Order, Method); 3] = [
         Order::QuadraticDots,
         Method::QuadraticDots,
     ),
+    ("duff", Order::Duff, Method::Duff),
 ];
 
 /// Methods that a core draws by their set-up alone, beside its own.
@@ -82,6 +83,7 @@ pub fn method_of(order: Order) -> Method {
         Order::Linear => Method::Gouraud,
         Order::Quadratic => Method::Quadratic,
         Order::QuadraticDots => Method::QuadraticDots,
+        Order::Duff => Method::Duff,
     }
 }
 
@@ -91,7 +93,7 @@ fn knots(p: &Prepared, index: usize, method: Method) -> (Vec<[f64; 3]>, Option<M
     match order_of(method).unwrap_or(Order::Linear) {
         Order::Linear => (shade::gouraud::knots(p, t).to_vec(), None),
         Order::Quadratic => (shade::quadratic::knots(p, t).to_vec(), None),
-        Order::QuadraticDots => {
+        Order::QuadraticDots | Order::Duff => {
             let (knots, material) = reflected::knots(p, index, method);
             (knots, Some(material))
         }

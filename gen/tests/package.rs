@@ -132,6 +132,7 @@ fn the_register_map_is_what_a_host_writes() {
         (Order::Quadratic, 1024, 768),
         (Order::Linear, 1024, 768),
         (Order::QuadraticDots, 320, 240),
+        (Order::Duff, 320, 240),
     ] {
         let core = Core::for_frame(order, width, height).expect("in range");
         let viewport = Viewport { width, height };

@@ -75,6 +75,7 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
         Order::Linear => &GOURAUD[..],
         Order::Quadratic => &QUADRATIC,
         Order::QuadraticDots => &QUADRATIC_DOTS,
+        Order::Duff => &[],
     };
     let rows: Vec<Measured> = all
         .iter()
@@ -85,6 +86,7 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
         multipliers: match core.order {
             Order::Linear | Order::Quadratic => 0,
             Order::QuadraticDots => 7,
+            Order::Duff => 12,
         },
         depth_memory_bits: core.pixels as u64 * 16,
         tool: TOOL,

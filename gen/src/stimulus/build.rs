@@ -16,7 +16,8 @@ pub struct Triangle {
     /// Depth at the corners, in depth words (0 to 65535, larger is nearer), not rounded.
     pub depth: [f64; 3],
     /// RGB knots in LSB: three for the Gouraud core, six (vertices, then mid-edges 01, 02, 12) for the quadratic core.
-    /// For the quadratic-dots core six of N·L, N·H and 0.
+    /// For the quadratic-dots core six of N·L, N·H and 0,
+    /// for the Duff core six of N·L, N·H and |N|² of normals that are not normalised.
     pub knots: Vec<[f64; 3]>,
     /// What cores take that shade per pixel, and others ignore.
     pub material: Option<Material>,
@@ -185,6 +186,7 @@ fn channel_words(
             w.colours(&c, writes);
         }
         Order::QuadraticDots => w.dots(core, t, &frame, writes)?,
+        Order::Duff => w.duff(core, t, &frame, writes)?,
     }
     for (word, data) in depth_words(t, &frame)?.into_iter().enumerate() {
         let target = 0x80 | word as u8;

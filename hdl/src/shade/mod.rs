@@ -1,6 +1,7 @@
 //! Cores: a datapath per shading method behind the shared raster shell, with depth test and pixel stream.
 
 pub mod device;
+pub mod duff;
 pub mod gouraud;
 pub mod model;
 pub mod phong;
