@@ -50,10 +50,15 @@ const GOURAUD: [Measured; 3] = [
     row("spartan-6", 1272, 1882, 76),
     row("spartan-7", 1288, 1882, 38),
 ];
-const QUADRATIC_DOTS: [Measured; 1] = [Measured {
-    dsp: 7,
-    ..row("spartan-7", 2136, 3295, 39)
-}];
+const fn with_multipliers(dsp: u32, row: Measured) -> Measured {
+    Measured { dsp, ..row }
+}
+
+const QUADRATIC_DOTS: [Measured; 3] = [
+    with_multipliers(7, row("spartan-3", 2420, 3838, 77)),
+    with_multipliers(7, row("spartan-6", 2144, 3295, 77)),
+    with_multipliers(7, row("spartan-7", 2136, 3295, 39)),
+];
 
 /// The estimate in a manifest.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
