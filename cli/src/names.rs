@@ -217,11 +217,11 @@ mod tests {
         }
         assert_eq!(
             core("goraud").unwrap_err().message,
-            "unknown core 'goraud'; the nearest is 'gouraud' of gouraud, quadratic, quadratic-dots, bresenham, box, cone"
+            "unknown core 'goraud'; the nearest is 'gouraud' of gouraud, quadratic, quadratic-dots, duff, bresenham, box, cone"
         );
         assert_eq!(
             with_core(Method::Flat).unwrap_err().message,
-            "method 'flat' has no core; cores: gouraud, quadratic, quadratic-dots, bresenham, box, cone"
+            "method 'flat' has no core; cores: gouraud, quadratic, quadratic-dots, duff, bresenham, box, cone"
         );
     }
 

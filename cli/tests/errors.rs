@@ -185,7 +185,7 @@ fn methods_without_a_core() {
         "cosim flat.toml",
         "gen --scene flat.toml",
     ] {
-        let message = "method 'flat' has no core; cores: gouraud, quadratic, quadratic-dots";
+        let message = "method 'flat' has no core; cores: gouraud, quadratic, quadratic-dots, duff";
         f.refuses(arguments, message);
     }
     f.refuses(

@@ -13,7 +13,7 @@ use shadegate_reference::line::{wireframe, LineFilter};
 use shadegate_reference::{depth, shade, Method, Prepared, Scene, ScreenTriangle};
 
 /// Methods that have a core, by catalogue name.
-pub const CORES: [(&str, Order, Method); 11] = [
+pub const CORES: [(&str, Order, Method); 12] = [
     ("gouraud", Order::Linear, Method::Gouraud),
     ("quadratic", Order::Quadratic, Method::Quadratic),
     (
@@ -21,6 +21,7 @@ pub const CORES: [(&str, Order, Method); 11] = [
         Order::QuadraticDots,
         Method::QuadraticDots,
     ),
+    ("duff", Order::Duff, Method::Duff),
     ("slerp", Order::Span(SpanKind::Slerp), Method::Slerp),
     (
         "slerp-chebyshev",
@@ -164,6 +165,7 @@ pub fn method_of(order: Order) -> Method {
         Order::Span(SpanKind::SphericalPower(_)) => Method::SphericalCosN,
         Order::Span(SpanKind::Blake) => Method::Blake,
         Order::Span(SpanKind::BlakeRefit) => Method::BlakeRefit,
+        Order::Duff => Method::Duff,
     }
 }
 
@@ -173,7 +175,7 @@ fn knots(p: &Prepared, index: usize, method: Method) -> (Vec<[f64; 3]>, Option<M
     match order_of(method).unwrap_or(Order::Linear) {
         Order::Linear => (shade::gouraud::knots(p, t).to_vec(), None),
         Order::Quadratic => (shade::quadratic::knots(p, t).to_vec(), None),
-        Order::QuadraticDots => {
+        Order::QuadraticDots | Order::Duff => {
             let (knots, material) = reflected::knots(p, index, method);
             (knots, Some(material))
         }

@@ -8,7 +8,12 @@ use std::path::Path;
 
 #[test]
 fn every_core() {
-    for order in [Order::Linear, Order::Quadratic, Order::QuadraticDots] {
+    for order in [
+        Order::Linear,
+        Order::Quadratic,
+        Order::QuadraticDots,
+        Order::Duff,
+    ] {
         let core = Core::for_frame(order, 320, 240).expect("in range");
         let files = rtl(&core).expect("emits").files;
         assert_eq!(

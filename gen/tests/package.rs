@@ -132,6 +132,7 @@ fn the_register_map_is_what_a_host_writes() {
         (Order::Quadratic, 1024, 768),
         (Order::Linear, 1024, 768),
         (Order::QuadraticDots, 320, 240),
+        (Order::Duff, 320, 240),
     ] {
         let core = Core::for_frame(order, width, height).expect("in range");
         let viewport = Viewport { width, height };
@@ -179,7 +180,7 @@ fn the_register_map_is_what_a_host_writes() {
 fn resources_are_those_of_the_readme() {
     let readme = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");
     let readme = std::fs::read_to_string(readme).expect("README.md");
-    for order in [Order::Linear, Order::Quadratic] {
+    for order in [Order::Linear, Order::Quadratic, Order::QuadraticDots] {
         let core = Core::for_frame(order, 320, 240).expect("in range");
         let all = resources(&core, (320, 240), None);
         assert_eq!(all.depth_memory_bits, 320 * 240 * 16);

@@ -27,6 +27,12 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("line_walk", include_str!("line/walk.rs")),
     ("linear_1", include_str!("interpolate/linear_1.rs")),
     ("linear_2", include_str!("interpolate/linear_2.rs")),
+    ("cosine", include_str!("shade/phong/cosine.rs")),
+    ("duff_core", include_str!("shade/duff.rs")),
+    ("inverse_root", include_str!("shade/phong/inverse_root.rs")),
+    ("lobe_place", include_str!("shade/phong/lobe_place.rs")),
+    ("root_table", include_str!("shade/phong/root_table.rs")),
+    ("unit_cosines", include_str!("shade/phong/unit_cosines.rs")),
     (
         "fragment_delay",
         include_str!("shade/phong/fragment_delay.rs"),

@@ -69,6 +69,11 @@ fn quadratic_dots_core_under_any_pattern() {
 }
 
 #[test]
+fn duff_core_under_any_pattern() {
+    any_pattern(Order::Duff, 14);
+}
+
+#[test]
 fn gouraud_core_under_any_pattern() {
     any_pattern(Order::Linear, 12);
 }

@@ -53,7 +53,7 @@ fn run(core: Core, seed: u64, clocks: usize) {
         let select = if next & 1 == 0 {
             (next >> 1) % 12
         } else {
-            (r.random_range(1..16u8) << 4) | ((next >> 1) % 11)
+            (r.random_range(1..16u8) << 4) | ((next >> 1) % 12)
         };
         // Now and then the fence of the cores that have one.
         let select = if r.random_ratio(1, 60) { 12 } else { select };
@@ -101,8 +101,14 @@ fn quadratic_dots_core() {
 }
 
 #[test]
+fn duff_core() {
+    run(core(Order::Duff, false), 27, CLOCKS);
+}
+
+#[test]
 fn wide_cores() {
     run(core(Order::Quadratic, true), 23, CLOCKS / 4);
     run(core(Order::Linear, true), 24, CLOCKS / 4);
     run(core(Order::QuadraticDots, true), 26, CLOCKS / 4);
+    run(core(Order::Duff, true), 28, CLOCKS / 4);
 }

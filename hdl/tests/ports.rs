@@ -26,12 +26,19 @@ use shadegate_hdl::line::walk::LineWalk;
 use shadegate_hdl::line::weight_rom::WeightRom;
 use shadegate_hdl::raster::edge_walk::EdgeWalk;
 use shadegate_hdl::raster::shell::Shell;
-use shadegate_hdl::shade::device::{GouraudNarrow, QuadraticDotsNarrow, QuadraticNarrow};
+use shadegate_hdl::shade::device::{
+    DuffNarrow, GouraudNarrow, QuadraticDotsNarrow, QuadraticNarrow,
+};
 use shadegate_hdl::shade::phong::colour::PhongColour;
+use shadegate_hdl::shade::phong::cosine::Cosine;
 use shadegate_hdl::shade::phong::fragment_delay::FragmentDelay;
+use shadegate_hdl::shade::phong::inverse_root::InverseRoot;
+use shadegate_hdl::shade::phong::lobe_place::LobePlace;
 use shadegate_hdl::shade::phong::power::Power;
 use shadegate_hdl::shade::phong::power_table::PowerTable;
 use shadegate_hdl::shade::phong::reflect::Reflect;
+use shadegate_hdl::shade::phong::root_table::RootTable;
+use shadegate_hdl::shade::phong::unit_cosines::UnitCosines;
 use shadegate_hdl::shade::pixel_stream::PixelStream;
 use shadegate_hdl::shade::saturate::Saturate;
 use shadegate_hdl::simulate::{check_ports, Quiet, Register, Wire};
@@ -58,6 +65,12 @@ fn every_description_lists_its_ports() {
     check_ports(&Reflect::default()).unwrap();
     check_ports(&PhongColour::default()).unwrap();
     check_ports(&FragmentDelay::<6>::default()).unwrap();
+    check_ports(&RootTable::default()).unwrap();
+    check_ports(&InverseRoot::default()).unwrap();
+    check_ports(&Cosine::default()).unwrap();
+    check_ports(&LobePlace::default()).unwrap();
+    check_ports(&UnitCosines::default()).unwrap();
+    check_ports(&DuffNarrow::new(1200)).unwrap();
     check_ports(&QuadraticDotsNarrow::new(1200)).unwrap();
 }
 

@@ -55,6 +55,7 @@ fn no_bubbles_in_or_between_triangles() {
     no_bubbles(Order::Quadratic, 1);
     no_bubbles(Order::Linear, 2);
     no_bubbles(Order::QuadraticDots, 5);
+    no_bubbles(Order::Duff, 6);
 }
 
 #[test]
@@ -119,7 +120,12 @@ fn an_empty_row_costs_at_most_one_clock() {
 
 #[test]
 fn the_first_pixel_comes_with_the_stated_latency() {
-    for order in [Order::Quadratic, Order::Linear, Order::QuadraticDots] {
+    for order in [
+        Order::Quadratic,
+        Order::Linear,
+        Order::QuadraticDots,
+        Order::Duff,
+    ] {
         let mut m = Machine::new(order, SIZE.width, SIZE.height);
         let t = Triangle::flat([(0.0, 0.0), (9.0, 0.0), (0.0, 9.0)], 1);
         let words = t.writes(order, SIZE).len();

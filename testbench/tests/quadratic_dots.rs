@@ -98,6 +98,24 @@ fn other_scenes_and_large_frames() {
     assert_eq!(large.formats["lobe"].frac, 38);
 }
 
+/// The Duff core: Phong shading itself, within the rounding.
+#[test]
+fn duff_draws_phong_shading_on_every_engine() {
+    let (small, large) = (load("sphere-168.toml"), load("sphere-690.toml"));
+    for engine in Engine::ALL {
+        let r = run(&small, Method::Duff, engine, Some((120, 90)));
+        assert!(r.pixels > 3_000);
+    }
+    let r = run(&large, Method::Duff, Engine::Compiled, None);
+    assert!(
+        r.error.max_lsb <= 1 && r.error_bound_lsb < 0.25,
+        "{:?} {}",
+        r.error,
+        r.error_bound_lsb
+    );
+    assert!(r.pixels_per_cycle >= 0.9, "{}", r.pixels_per_cycle);
+}
+
 /// Exponents from matt to mirror, on the same sphere: the table is chosen anew for each.
 #[test]
 fn every_exponent() {
@@ -122,7 +140,7 @@ fn scenes_that_it_does_not_draw_are_refused() {
             stimulus: Default::default(),
             command: "test".into(),
         };
-        let error = cosim(scene, &options).err().expect("refused").to_string();
+        let error = cosim(scene, &options).expect_err("refused").to_string();
         error
             .split_once(".toml: ")
             .expect("names the file")

@@ -25,7 +25,8 @@ pub struct Field {
 pub struct Register {
     /// Select code that addresses this word alone: channel mask in bits 7 to 4, word number in bits 3 to 0.
     pub select: u8,
-    /// `shell` (the walk and the weights of a line core), `depth`, and `red`, `green`, `blue`, or `light`, `lobe`, `material`.
+    /// `shell` (the walk and the weights of a line core), `depth`, and `red`, `green`, `blue`, or `light`, `lobe`, `half`,
+    /// `square`, `material`.
     pub target: &'static str,
     /// Word number.
     pub word: u8,
@@ -89,13 +90,25 @@ pub fn registers(core: &Core) -> Vec<Register> {
         }
         Order::Quadratic => &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, quadric)),
         Order::QuadraticDots => &[("light", 1), ("lobe", 2)].map(|c| (c, quadric)),
+        Order::Duff => &[
+            (("light", 1), plane),
+            (("half", 1), plane),
+            (("square", 2), quadric),
+        ],
     };
     let formats = core.formats();
     for (i, ((target, mask), words)) in colours.iter().enumerate() {
         let (_, int, frac) = formats[i.min(formats.len() - 1)];
         channel(&mut all, target, *mask, words, int, frac);
     }
-    if core.order == Order::QuadraticDots {
+    if core.order == Order::Duff {
+        // The words of N·H follow those of N·L.
+        for r in all.iter_mut().filter(|r| r.target == "half") {
+            (r.select, r.word) = (r.select | 4, r.word | 4);
+        }
+        all.push(material::scale());
+    }
+    if matches!(core.order, Order::QuadraticDots | Order::Duff) {
         all.extend(material::registers());
     }
     channel(

@@ -52,10 +52,15 @@ const GOURAUD: [Measured; 3] = [
     row("spartan-6", 1272, 1882, 76),
     row("spartan-7", 1288, 1882, 38),
 ];
-const QUADRATIC_DOTS: [Measured; 1] = [Measured {
-    dsp: 7,
-    ..row("spartan-7", 2136, 3295, 39)
-}];
+const fn with_multipliers(dsp: u32, row: Measured) -> Measured {
+    Measured { dsp, ..row }
+}
+
+const QUADRATIC_DOTS: [Measured; 3] = [
+    with_multipliers(7, row("spartan-3", 2420, 3838, 77)),
+    with_multipliers(7, row("spartan-6", 2144, 3295, 77)),
+    with_multipliers(7, row("spartan-7", 2136, 3295, 39)),
+];
 
 /// The estimate in a manifest.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -78,7 +83,7 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
         Order::Quadratic => QUADRATIC.to_vec(),
         Order::QuadraticDots => QUADRATIC_DOTS.to_vec(),
         Order::Line(filter) => line::measured(filter).to_vec(),
-        Order::Span(_) => vec![],
+        Order::Duff | Order::Span(_) => vec![],
     };
     let rows: Vec<Measured> = all
         .into_iter()
@@ -90,6 +95,7 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
             Order::QuadraticDots => 7,
             Order::Line(Filter::Bresenham) => 0,
             Order::Line(Filter::Box | Filter::Cone) => 3,
+            Order::Duff => 12,
         },
         depth_memory_bits: core.memory_bits(),
         tool: TOOL,

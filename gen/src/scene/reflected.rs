@@ -1,10 +1,11 @@
 //! Scenes for cores that shade per pixel: which of them they draw, and the cosines at the knots of a triangle.
 
+use crate::stimulus::greatest_exponent;
 use crate::stimulus::Material;
 use shadegate_hdl::shade::model::Order;
-use shadegate_hdl::shade::phong::power::MAX_EXPONENT;
-use shadegate_reference::scene::{Attenuation, Brdf, Highlight, LightKind};
+use shadegate_reference::scene::{Attenuation, Brdf, Highlight, LightKind, Projection};
 use shadegate_reference::shade::corners::Corners;
+use shadegate_reference::shade::duff::Duff;
 use shadegate_reference::shade::form::Form;
 use shadegate_reference::shade::lit::Cosines;
 use shadegate_reference::shade::paint::Dots;
@@ -34,7 +35,9 @@ pub fn suited(scene: &Scene, order: Order) -> Result<(), Unsuited> {
     let core = match order {
         Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => return Ok(()),
         Order::QuadraticDots => "quadratic-dots",
+        Order::Duff => "duff",
     };
+    let greatest = greatest_exponent(order);
     let refuse = |what: String, expected: &'static str| {
         Err(Unsuited {
             file: scene.file.display().to_string(),
@@ -49,9 +52,19 @@ pub fn suited(scene: &Scene, order: Order) -> Result<(), Unsuited> {
             "one light",
         );
     }
+    let far = matches!(scene.camera.projection, Projection::Orthographic { .. });
+    if order == Order::Duff && !far {
+        return refuse(
+            "the camera is near".to_owned(),
+            "an orthographic camera (height)",
+        );
+    }
     for light in &scene.lights {
         let (what, expected) = match light.kind {
             LightKind::Directional { .. } => continue,
+            LightKind::Point { .. } if order == Order::Duff => {
+                ("the light is near", "a directional light")
+            }
             LightKind::Point { attenuation, .. } if attenuation == Attenuation::NONE => continue,
             LightKind::Point { .. } => ("the light has an attenuation", "a light without it"),
             LightKind::Spot { .. } => ("the light is a spot", "a directional or a point light"),
@@ -74,15 +87,19 @@ pub fn suited(scene: &Scene, order: Order) -> Result<(), Unsuited> {
             let what = format!("material '{name}' has a shadow");
             return refuse(what, "shadow = 0");
         }
-        if shines && !(1.0..=MAX_EXPONENT).contains(&m.shininess) {
+        if shines && !(1.0..=greatest).contains(&m.shininess) {
             let what = format!("material '{name}' has a shininess of {}", m.shininess);
-            return refuse(what, "1 to 2048");
+            let expected = match order {
+                Order::Duff => "1 to 600",
+                _ => "1 to 2048",
+            };
+            return refuse(what, expected);
         }
     }
     Ok(())
 }
 
-/// Six knots of a triangle, [N·L, N·H, 0] each, and its material; no knots where [`suited`] should have refused.
+/// Six knots of a triangle, [N·L, N·H, 0] each ([N·L, N·H, |N|²] for [`Method::Duff`]), and its material; no knots where [`suited`] should have refused.
 pub fn knots(p: &Prepared, index: usize, method: Method) -> (Vec<[f64; 3]>, Material) {
     let c = Corners::new(p, index);
     let term = c.terms.first();
@@ -92,6 +109,12 @@ pub fn knots(p: &Prepared, index: usize, method: Method) -> (Vec<[f64; 3]>, Mate
         specular: term.map_or([0.0; 3], |t| t.specular[0].to_array()),
         shininess: c.shininess,
     };
+    if method == Method::Duff {
+        let square = six(&Duff.shared(&c));
+        let dots = term.map_or([[0.0; 6]; 2], |t| Duff.own(&c, t).0.map(|f| six(&f)));
+        let knots = (0..6).map(|i| [dots[0][i], dots[1][i], square[i]]);
+        return (knots.collect(), material);
+    }
     let form = |of: [Form; 2]| of.map(|f| six(&f));
     let cosines = match (term, method) {
         (None, _) => Some([[0.0; 6]; 2]),

@@ -16,7 +16,8 @@ pub struct Triangle {
     /// Depth at the corners, in depth words (0 to 65535, larger is nearer), not rounded.
     pub depth: [f64; 3],
     /// RGB knots in LSB: three for the Gouraud core, six (vertices, then mid-edges 01, 02, 12) for the quadratic core.
-    /// For the quadratic-dots core six of N·L, N·H and 0; for span cores the rows of a [`crate::spans::Surface`].
+    /// For the quadratic-dots core six of N·L, N·H and 0; for the Duff core six of N·L, N·H and |N|² of normals that are not
+    /// normalised; for span cores the rows of a [`crate::spans::Surface`].
     pub knots: Vec<[f64; 3]>,
     /// What cores take that shade per pixel, and others ignore.
     pub material: Option<Material>,
@@ -187,6 +188,7 @@ fn channel_words(
             w.colours(&c, writes);
         }
         Order::QuadraticDots => w.dots(core, t, &frame, writes)?,
+        Order::Duff => w.duff(core, t, &frame, writes)?,
         Order::Line(_) => return Err("a line core draws no triangles".to_owned()),
         // Built span by span: see `build`.
         Order::Span(_) => {}

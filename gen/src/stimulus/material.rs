@@ -3,7 +3,9 @@
 use super::build::{Triangle, Writer};
 use crate::setup::{fixed_knot, lobe_scale, power_words, quadric_words, Frame};
 use shadegate_hdl::shade::device::Core;
+use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::phong::power::{MAX_EXPONENT, PLACE_FRACTION_BITS, PLACE_INTEGER_BITS};
+use shadegate_hdl::shade::phong::unit_cosines::{self, SCALE_WORD};
 use shadegate_hdl::shade::phong::{
     AMBIENT_FRACTION_BITS, FENCE_WORD, LIGHT_FRACTION_BITS, LIGHT_INTEGER_BITS, TABLE_PLACE_WORD,
     TABLE_WORD, TINT_FRACTION_BITS,
@@ -17,6 +19,15 @@ const LIGHT: u8 = 0x10;
 const LOBE: u8 = 0x20;
 /// Largest sum of a channel's three colours, LSB.
 const BRIGHTEST: f64 = 2047.0;
+
+/// Largest exponent that a core draws.
+#[must_use]
+pub fn greatest_exponent(order: Order) -> f64 {
+    match order {
+        Order::Duff => unit_cosines::MAX_EXPONENT,
+        Order::Linear | Order::Quadratic | Order::QuadraticDots => MAX_EXPONENT,
+    }
+}
 
 /// How a surface reflects one light, LSB.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,21 +44,18 @@ pub struct Material {
 
 impl Material {
     /// Whether there is a highlight.
-    fn shines(&self) -> bool {
+    pub(super) fn shines(&self) -> bool {
         self.specular.iter().any(|s| *s != 0.0)
     }
 
     /// The scale of the lobe, 0 where there is none.
-    fn scale(&self) -> Result<u32, String> {
+    pub(super) fn scale(&self, greatest: f64) -> Result<u32, String> {
         if !self.shines() {
             return Ok(0);
         }
-        lobe_scale(self.shininess).ok_or_else(|| {
-            format!(
-                "shininess {} is outside 1 to {MAX_EXPONENT}",
-                self.shininess
-            )
-        })
+        lobe_scale(self.shininess)
+            .filter(|_| self.shininess <= greatest)
+            .ok_or_else(|| format!("shininess {} is outside 1 to {greatest}", self.shininess))
     }
 
     /// The nine colour words.
@@ -60,7 +68,8 @@ impl Material {
                 self.specular[channel],
             ];
             let sum: f64 = parts.iter().sum();
-            if parts.iter().any(|p| !(*p >= 0.0)) || !(sum <= BRIGHTEST) {
+            let fits = parts.iter().all(|p| *p >= 0.0) && sum <= BRIGHTEST;
+            if !fits {
                 return Err(format!(
                     "ambient, diffuse and specular colour {}, {} and {} do not add up to 0 to {BRIGHTEST}",
                     parts[0], parts[1], parts[2]
@@ -98,14 +107,23 @@ fn six(
 
 impl Writer<'_> {
     /// The material of a triangle, if it is not the one before: a fence, then what differs.
-    fn material(&mut self, m: &Material, writes: &mut Vec<(u8, u64)>) -> Result<(), String> {
+    pub(super) fn material(
+        &mut self,
+        order: Order,
+        m: &Material,
+        writes: &mut Vec<(u8, u64)>,
+    ) -> Result<(), String> {
         let mut words = vec![];
         for (word, data) in (0u8..).zip(m.colours()?) {
             if self.needed(MATERIAL | word, data) {
                 words.push((MATERIAL | word, data));
             }
         }
-        let scale = m.scale()?;
+        let scale = m.scale(greatest_exponent(order))?;
+        let scale_word = MATERIAL | SCALE_WORD as u8;
+        if order == Order::Duff && m.shines() && self.needed(scale_word, u64::from(scale)) {
+            words.push((scale_word, u64::from(scale)));
+        }
         // The whole table is one word to those who count.
         if m.shines() && self.needed(MATERIAL | TABLE_WORD as u8, m.shininess.to_bits()) {
             words.push((MATERIAL | TABLE_PLACE_WORD as u8, 0));
@@ -119,7 +137,7 @@ impl Writer<'_> {
         Ok(())
     }
 
-    fn quadric(&mut self, mask: u8, words: [u64; 10], writes: &mut Vec<(u8, u64)>) {
+    pub(super) fn quadric(&mut self, mask: u8, words: [u64; 10], writes: &mut Vec<(u8, u64)>) {
         for (word, data) in (0u8..).zip(words) {
             if self.needed(mask | word, data) {
                 writes.push((mask | word, data));
@@ -136,7 +154,7 @@ impl Writer<'_> {
         writes: &mut Vec<(u8, u64)>,
     ) -> Result<(), String> {
         let m = t.material.as_ref().ok_or("no material")?;
-        self.material(m, writes)?;
+        self.material(core.order, m, writes)?;
         let below = core.fraction_bits();
         let half = 1i128 << (below - 1);
         let words = |knots, int: usize, frac: usize| {
@@ -150,7 +168,7 @@ impl Writer<'_> {
             writes,
         );
         if m.shines() {
-            let scale = f64::from(1u32 << m.scale()?);
+            let scale = f64::from(1u32 << m.scale(MAX_EXPONENT)?);
             let lobe = six(t, "N·H", 1, |c| (1.0 - c) * scale)?;
             self.quadric(
                 LOBE,

@@ -1,6 +1,7 @@
 //! Stimulus: the register writes that draw a scene, and the host that feeds them to a core.
 
 mod build;
+mod duff;
 mod host;
 mod lines;
 mod material;
@@ -10,6 +11,6 @@ mod sample_lines;
 pub use build::{build, Primitive, Stimulus, StimulusError, StimulusOptions, Triangle};
 pub use host::{Host, Step};
 pub use lines::{build_lines, Line};
-pub use material::Material;
+pub use material::{greatest_exponent, Material};
 pub use sample::{sample, sample_triangles};
 pub use sample_lines::{sample_lines, single_line};

@@ -77,8 +77,9 @@ pub fn sample_triangles(
     let mut draw = Draw(seed);
     let (w, h) = (u64::from(viewport.width), u64::from(viewport.height));
     let sub = SUBPIXELS as u64;
-    let material =
-        |i: usize| (order == Order::QuadraticDots).then(|| MATERIALS[2 * i / count.max(1)]);
+    let material = |i: usize| {
+        matches!(order, Order::QuadraticDots | Order::Duff).then(|| MATERIALS[2 * i / count.max(1)])
+    };
     let knots = if order == Order::Linear { 3 } else { 6 };
     let mut out: Vec<Triangle> = vec![];
     for i in 0..count {
@@ -108,6 +109,12 @@ pub fn sample_triangles(
             match order {
                 // Cosines from -0.5 to 1.
                 Order::QuadraticDots => [at[0] / 170.0 - 0.5, at[1] / 170.0 - 0.5, 0.0],
+                // Dot products from -0.5 to 1 with a normal of a length from 0.7 to 1 that does not change.
+                Order::Duff => [
+                    at[0] / 170.0 - 0.5,
+                    at[1] / 170.0 - 0.5,
+                    0.5 + (i % 8) as f64 / 14.0,
+                ],
                 _ => at,
             }
         };

@@ -3,9 +3,11 @@
 //! rust-hdl formats are const generics, so a choice made at run time needs every combination compiled. There are two
 //! word lengths per core, told apart by how far an accumulator can run in a frame (see [`longest_run`]).
 
+use super::duff::DuffCore;
 use super::gouraud::GouraudCore;
 use super::model::{bus_bits, CoreInputs, CoreModel, CoreOutputs, Order};
 use super::phong::power::{PLACE_FRACTION_BITS, PLACE_INTEGER_BITS, STEEPEST};
+use super::phong::{inverse_root, unit_cosines};
 use super::phong::{ERROR_LSB, LIGHT_FRACTION_BITS, LIGHT_INTEGER_BITS, STAGES};
 use super::quadratic::QuadraticCore;
 use super::quadratic_dots::QuadraticDotsCore;
@@ -26,6 +28,10 @@ pub type GouraudWide = GouraudCore<26, 14, 32, 21>;
 pub type QuadraticDotsNarrow = QuadraticDotsCore<15, 45, 17>;
 /// Quadratic-dots core with N·L in Q2.35 and the place in the lobe in Q10.38, 49-bit bus, 2^21 frame addresses.
 pub type QuadraticDotsWide = QuadraticDotsCore<19, 49, 21>;
+/// Duff core with N·L, N·H and |N|² in Q1.43, 45-bit bus, 2^17 frame addresses.
+pub type DuffNarrow = DuffCore<15, 45, 17>;
+/// Duff core with N·L, N·H and |N|² in Q1.47, 49-bit bus, 2^21 frame addresses.
+pub type DuffWide = DuffCore<19, 49, 21>;
 
 /// Longest run of the narrow formats.
 pub const NARROW_RUN: u32 = 1023;
@@ -82,6 +88,7 @@ impl Core {
             Order::QuadraticDots => "quadratic-dots",
             Order::Line(filter) => filter.core_name(),
             Order::Span(kind) => kind.name(),
+            Order::Duff => "duff",
         }
     }
 
@@ -103,6 +110,11 @@ impl Core {
                 ("light", LIGHT_INTEGER_BITS, LIGHT_FRACTION_BITS + n),
                 ("lobe", PLACE_INTEGER_BITS, PLACE_FRACTION_BITS + n),
             ],
+            Order::Duff => vec![(
+                "dot",
+                unit_cosines::INTEGER_BITS,
+                unit_cosines::FRACTION_BITS + n,
+            )],
         }
     }
 
@@ -114,8 +126,8 @@ impl Core {
             (Order::Quadratic, true) => 24,
             (Order::Linear, false) => 12,
             (Order::Linear, true) => 14,
-            (Order::QuadraticDots, false) => 15,
-            (Order::QuadraticDots, true) => 19,
+            (Order::QuadraticDots | Order::Duff, false) => 15,
+            (Order::QuadraticDots | Order::Duff, true) => 19,
             (Order::Line(_), _) => crate::line::cue::FRACTION_BITS,
             (Order::Span(_), _) => crate::lit::channel::COLOUR_FRACTION_BITS,
         }
@@ -127,6 +139,7 @@ impl Core {
         5 + match self.order {
             Order::Linear | Order::Quadratic => 0,
             Order::QuadraticDots => STAGES as u32,
+            Order::Duff => (unit_cosines::STAGES + STAGES) as u32,
             Order::Line(filter) => return filter.latency(),
             // One register level less before the pixel registers and five stages behind.
             Order::Span(_) => 4,
@@ -167,7 +180,7 @@ impl Core {
         let n = f64::from(run);
         let words = match self.order {
             Order::Linear | Order::Line(_) | Order::Span(_) => 1.0 + n,
-            Order::Quadratic | Order::QuadraticDots => 1.0 + n * (n + 1.0) / 2.0,
+            Order::Quadratic | Order::QuadraticDots | Order::Duff => 1.0 + n * (n + 1.0) / 2.0,
         };
         let unit = words / 2f64.powi(self.fraction_bits() as i32 + 1);
         match self.order {
@@ -178,6 +191,15 @@ impl Core {
                 let light = 2f64.powi(-(LIGHT_FRACTION_BITS as i32));
                 let lobe = STEEPEST * 2f64.powi(-(PLACE_FRACTION_BITS as i32));
                 255.0 * unit * (light + lobe) + ERROR_LSB
+            }
+            // |N|² of at least 1/4 and exponents up to 144, whose lobe has the scale 2³.
+            Order::Duff => {
+                let step = 2f64.powi(-(unit_cosines::FRACTION_BITS as i32));
+                let linear = (1.0 + n) / 2f64.powi(self.fraction_bits() as i32 + 1);
+                let cosine = step * (2.0 * unit + 2.0 * linear + 4.0) + inverse_root::ERROR / 2.0;
+                let cut = 2f64.powi(-(LIGHT_FRACTION_BITS as i32 + 1))
+                    + STEEPEST * 2f64.powi(-(PLACE_FRACTION_BITS as i32 + 1));
+                255.0 * (cosine * (1.0 + 8.0 * STEEPEST) + cut) + ERROR_LSB
             }
         }
     }
@@ -201,6 +223,8 @@ impl Core {
             (Order::Linear, false) => f.visit(GouraudNarrow::new(self.pixels)),
             (Order::Linear, true) => f.visit(GouraudWide::new(self.pixels)),
             (Order::QuadraticDots, false) => f.visit(QuadraticDotsNarrow::new(self.pixels)),
+            (Order::Duff, false) => f.visit(DuffNarrow::new(self.pixels)),
+            (Order::Duff, true) => f.visit(DuffWide::new(self.pixels)),
             (Order::QuadraticDots, true) => f.visit(QuadraticDotsWide::new(self.pixels)),
             (Order::Line(filter), false) => filter.with_design::<17, R>(self.pixels, f),
             (Order::Line(filter), true) => filter.with_design::<21, R>(self.pixels, f),
@@ -259,6 +283,7 @@ macro_rules! core_ports {
 core_ports!(QuadraticCore, D, N, B, A);
 core_ports!(GouraudCore, D, N, B, A);
 core_ports!(QuadraticDotsCore, N, B, A);
+core_ports!(DuffCore, N, B, A);
 
 /// A core's description under simulation.
 pub struct CoreSimulator(Box<dyn Engine>);

@@ -3,6 +3,7 @@
 pub mod blake;
 pub mod chebyshev;
 pub mod device;
+pub mod duff;
 pub mod gouraud;
 pub mod model;
 pub mod phong;

@@ -2,6 +2,8 @@
 
 use super::phong::model::{DelayModel, Fragment, PhongModel};
 use super::phong::power::{PLACE_FRACTION_BITS, PLACE_INTEGER_BITS};
+use super::phong::root_model::DuffModel;
+use super::phong::unit_cosines::{self, SCALE_WORD};
 use super::phong::{FENCE_WORD, LIGHT_FRACTION_BITS, LIGHT_INTEGER_BITS, STAGES};
 use super::saturate::saturate_model;
 use super::span_core::SpanKind;
@@ -24,6 +26,8 @@ pub enum Order {
     Quadratic,
     /// Quadrics of two cosines, the reflection model per pixel: the quadratic-dots core.
     QuadraticDots,
+    /// Planes of two dot products and the quadric of the squared length, a root per pixel: the Duff core.
+    Duff,
     /// Lines instead of triangles: the line cores.
     Line(Filter),
     /// Spans that the host sets up one by one.
@@ -102,6 +106,8 @@ struct Pixel {
 /// What cores have that shade per pixel: stages between the interpolants and the pixel stream, and a fence.
 #[derive(Clone, Debug)]
 struct Reflection {
+    /// What makes the cosines, where they are not interpolated.
+    front: Option<DuffModel>,
     colour: PhongModel,
     delay: DelayModel,
     draining: bool,
@@ -112,8 +118,10 @@ impl Reflection {
         let stages = match order {
             Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => return None,
             Order::QuadraticDots => STAGES,
+            Order::Duff => unit_cosines::STAGES + STAGES,
         };
         Some(Self {
+            front: (order == Order::Duff).then(DuffModel::default),
             colour: PhongModel::default(),
             delay: DelayModel::new(stages),
             draining: false,
@@ -141,6 +149,10 @@ fn interpolant_bits(order: Order, fraction_bits: usize) -> [usize; 3] {
             // Its words belong to the material.
             1,
         ],
+        Order::Duff => {
+            let units = 1 + unit_cosines::INTEGER_BITS + unit_cosines::FRACTION_BITS;
+            [units + fraction_bits; 3]
+        }
     }
 }
 
@@ -178,11 +190,10 @@ impl CoreModel {
             Order::Span(kind) => Some(SpanModel::new(kind, address_bits, pixels).into()),
             _ => None,
         };
+        let linear = Channel::Linear(Linear2Model::default());
         let channel = match order {
-            Order::Linear | Order::Line(_) | Order::Span(_) => {
-                Channel::Linear(Linear2Model::default())
-            }
-            Order::Quadratic | Order::QuadraticDots => {
+            Order::Linear | Order::Line(_) | Order::Span(_) => linear,
+            Order::Quadratic | Order::QuadraticDots | Order::Duff => {
                 Channel::Quadratic(Quadratic2Model::default())
             }
         };
@@ -193,7 +204,10 @@ impl CoreModel {
             bus_bits: bus_bits(order, fraction_bits),
             shell: ShellModel::new(address_bits),
             widths: interpolant_bits(order, fraction_bits),
-            colour: [channel; 3],
+            colour: match order {
+                Order::Duff => [linear, linear, channel],
+                _ => [channel; 3],
+            },
             reflection: Reflection::of(order),
             depth: Linear2Model::default(),
             z_buffer: ZBufferModel::new(address_bits, pixels),
@@ -304,7 +318,16 @@ impl CoreModel {
             None => (walked, values),
             Some(r) => {
                 let late = (r.delay.last().unwrap_or(walked), r.colour.levels());
-                r.colour.clock(write(2), go, values[0], values[1]);
+                let material = write(2);
+                match &mut r.front {
+                    None => r.colour.clock(material, go, values[0], values[1]),
+                    Some(front) => {
+                        let [light, place] = front.arguments;
+                        r.colour.clock(material, go, light, place);
+                        let scale = material.filter(|(word, _)| *word == SCALE_WORD);
+                        front.clock(scale.map(|(_, data)| data), go, values);
+                    }
+                }
                 if go {
                     r.delay.shift(walked);
                 }
@@ -336,8 +359,17 @@ impl CoreModel {
             depth: arrived.depth,
         });
         // Interpolants.
+        let two_planes = self.reflection.as_ref().is_some_and(|r| r.front.is_some());
         for (channel, (model, width)) in self.colour.iter_mut().zip(self.widths).enumerate() {
-            model.clock(width, write(channel), so.controls);
+            let own = match (two_planes, channel) {
+                (false, _) => write(channel),
+                // Words 0 to 3 of the first mask bit, then words 4 to 7.
+                (true, 0 | 1) => write(0)
+                    .filter(|(word, _)| word >> 2 & 1 == channel)
+                    .map(|(word, data)| (word & 3, data)),
+                (true, _) => write(1),
+            };
+            model.clock(width, own, so.controls);
         }
         self.depth.clock(depth_bits, write(3), so.controls);
         self.shell.clock(&si);

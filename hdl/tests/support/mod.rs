@@ -10,6 +10,7 @@ use rand::rngs::StdRng;
 use rand::Rng;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
+use shadegate_hdl::shade::phong::root_model::arguments;
 use shadegate_hdl::shade::saturate::saturate_model;
 use shadegate_hdl::shade::{DEPTH_BIAS, DEPTH_FRACTION_BITS};
 use shadegate_reference::raster::{EdgeDda, Point, Viewport, Walk};
@@ -99,13 +100,15 @@ impl Triangle {
         let channels = [self.colour[0], self.colour[1], self.colour[2], self.depth];
         for (channel, polynomial) in channels.iter().enumerate() {
             let words = polynomial.words(x, i64::from(w.first_row), steps);
-            let count = match (order, channel) {
-                (Order::QuadraticDots, 2) => 0,
-                (Order::Quadratic | Order::QuadraticDots, 0..=2) => 10,
-                _ => 4,
+            let (select, count): (u8, u8) = match (order, channel) {
+                (Order::QuadraticDots, 2) => (0, 0),
+                (Order::Duff, 0) => (0x10, 4),
+                (Order::Duff, 1) => (0x14, 4),
+                (Order::Duff, 2) => (0x20, 10),
+                (Order::Quadratic | Order::QuadraticDots, 0..=2) => (16 << channel, 10),
+                _ => (16 << channel, 4),
             };
-            let select = |i: u8| 16 << channel | i;
-            writes.extend((0..count).map(|i| (select(i), words[usize::from(i)] as u64)));
+            writes.extend((0..count).map(|i| (select | i, words[usize::from(i)] as u64)));
         }
         writes
     }
@@ -145,6 +148,10 @@ impl Triangle {
             let levels = match kind.order {
                 Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => values,
                 Order::QuadraticDots => [0, 1, 2].map(|c| material::level(c, values[0], values[1])),
+                Order::Duff => {
+                    let [light, place] = arguments(values, 0);
+                    [0, 1, 2].map(|c| material::level(c, light, place))
+                }
             };
             Pixel {
                 x,
@@ -172,11 +179,13 @@ pub fn random_triangles(
     let bend = |unit: i64| match kind.order {
         Order::Linear | Order::Line(_) | Order::Span(_) => 0,
         Order::Quadratic | Order::QuadraticDots => unit / 32,
+        Order::Duff => 0,
     };
     // What a step of 8-bit colour is to an interpolant.
     let units = match kind.order {
         Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => [unit; 3],
         Order::QuadraticDots => [unit << (16 - 8), unit << (19 - 8), 0],
+        Order::Duff => [unit << (28 - 8); 3],
     };
     let mut out: Vec<Triangle> = vec![];
     for _ in 0..1_000_000 {

@@ -95,6 +95,12 @@ pub fn fragment_error(p: &Prelude) -> FragmentError {
                 let knots: [[f64; 3]; 6] = std::array::from_fn(|i| t.knots[i]);
                 shade::quadratic::value(&t.position, &knots, x, y)
             }
+            Order::Duff => {
+                let knots: [[f64; 3]; 6] = std::array::from_fn(|i| t.knots[i]);
+                let [light, half, square] = shade::quadratic::value(&t.position, &knots, x, y);
+                let root = square.sqrt();
+                reflected(t, [light / root, half / root, 0.0])
+            }
             Order::QuadraticDots => {
                 let knots: [[f64; 3]; 6] = std::array::from_fn(|i| t.knots[i]);
                 let cosines = shade::quadratic::value(&t.position, &knots, x, y);

@@ -1,6 +1,7 @@
-// block_ram_18: a block RAM of Spartan-7 (RAMB18E1) as the depth memory uses it, for simulation of netlists.
+// block_ram_18: a block RAM of Spartan-7 (RAMB18E1) as depth memory and power table use it, for simulation of netlists.
 //
-// 1024 words of 18 bits: port A writes bytes with their parity bit, port B reads what stood there before the edge.
+// Depth memory, 1024 words of 18 bits: port A writes bytes with their parity bit, port B reads what stood there before
+// the edge. Power table, 512 words of 36 bits (SDP): port B writes bytes with their parity bit, port A reads.
 // It powers up as zeros. Any other use shows as unknown outputs.
 
 `default_nettype none
@@ -42,13 +43,21 @@ module block_ram_18 (
   localparam FITS = RAM_MODE == "TDP" && READ_WIDTH_B == 18 && WRITE_WIDTH_A == 18 && WRITE_WIDTH_B == 0
                     && WRITE_MODE_A == "READ_FIRST" && DOB_REG == 0;
 
+  localparam WIDE = RAM_MODE == "SDP" && READ_WIDTH_A == 36 && WRITE_WIDTH_B == 36 && WRITE_WIDTH_A == 0
+                    && READ_WIDTH_B == 0 && WRITE_MODE_B == "READ_FIRST" && DOA_REG == 0;
+
   reg [17:0] words [0:1023];
+  reg [35:0] wide_words [0:511];
+  reg [35:0] wide_shown;
+  wire [8:0] wide_address = ADDRBWRADDR[13:5];
   reg [17:0] shown;
   integer i;
 
   initial begin
     for (i = 0; i < 1024; i = i + 1) words[i] = 18'd0;
     shown = FITS ? 18'd0 : 18'bx;
+    for (i = 0; i < 512; i = i + 1) wide_words[i] = 36'd0;
+    wide_shown = WIDE ? 36'd0 : 36'bx;
   end
 
   always @(posedge CLKARDCLK) if (ENARDEN) begin
@@ -58,8 +67,17 @@ module block_ram_18 (
 
   always @(posedge CLKBWRCLK) if (ENBWREN) shown <= FITS && WEBWE === 4'd0 ? words[ADDRBWRADDR[13:4]] : 18'bx;
 
-  assign {DOPBDOP, DOBDO} = shown;
-  assign {DOPADOP, DOADO} = 18'bx;
+  always @(posedge CLKBWRCLK) if (WIDE && ENBWREN) begin
+    if (WEBWE[0]) {wide_words[wide_address][16], wide_words[wide_address][7:0]} <= {DIPADIP[0], DIADI[7:0]};
+    if (WEBWE[1]) {wide_words[wide_address][17], wide_words[wide_address][15:8]} <= {DIPADIP[1], DIADI[15:8]};
+    if (WEBWE[2]) {wide_words[wide_address][34], wide_words[wide_address][25:18]} <= {DIPBDIP[0], DIBDI[7:0]};
+    if (WEBWE[3]) {wide_words[wide_address][35], wide_words[wide_address][33:26]} <= {DIPBDIP[1], DIBDI[15:8]};
+  end
+
+  always @(posedge CLKARDCLK) if (WIDE && ENARDEN) wide_shown <= wide_words[ADDRARDADDR[13:5]];
+
+  assign {DOPBDOP, DOBDO} = WIDE ? wide_shown[35:18] : shown;
+  assign {DOPADOP, DOADO} = WIDE ? wide_shown[17:0] : 18'bx;
 endmodule
 
 `default_nettype wire

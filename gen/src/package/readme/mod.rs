@@ -16,6 +16,9 @@ pub fn readme(m: &Manifest, core: &Core, target: Option<Target>, example: &str) 
     let colour = match core.order {
         Order::Linear => "a plane through three vertex colours",
         Order::Quadratic => "a quadric through six colours, at vertices and mid-edges",
+        Order::Duff => {
+            "planes of N·L and N·H, a root for the length of the normal, and the light that the material reflects per pixel"
+        }
         Order::QuadraticDots => {
             "quadrics of N·L and N·H through six knots, and the light that the material reflects per pixel"
         }

@@ -60,6 +60,7 @@ pub fn registers(m: &Manifest) -> String {
     let has = |target: &str| m.registers.iter().any(|r| r.target == target);
     let mask = match has("material") {
         false => "bit 4 red, bit 5 green, bit 6 blue, bit 7 depth",
+        true if has("square") => "bit 4 light and half, bit 5 square, bit 6 material, bit 7 depth",
         true => "bit 4 light, bit 5 lobe, bit 6 material, bit 7 depth",
     };
     let mut out = format!(
@@ -73,10 +74,16 @@ pub fn registers(m: &Manifest) -> String {
     out += &shell_rows(m);
     for (title, target, selects) in [
         ("Red, green, blue", "red", [1, 2, 4].as_slice()),
-        ("Light: N·L in units of 2^-16", "light", &[1]),
+        ("Light: N·L", "light", &[1]),
         (
             "Lobe: (1 - N·H)·2^s in units of 2^-19, see the power table",
             "lobe",
+            &[2],
+        ),
+        ("Half: N·H of the blended normal", "half", &[1]),
+        (
+            "Square: the squared length of the blended normal",
+            "square",
             &[2],
         ),
         ("Material", "material", &[4]),

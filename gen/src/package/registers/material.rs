@@ -1,6 +1,7 @@
 //! The words of a material, and the fence before them.
 
 use super::{Field, Register};
+use shadegate_hdl::shade::phong::unit_cosines::SCALE_WORD;
 use shadegate_hdl::shade::phong::{
     AMBIENT_FRACTION_BITS, FENCE_WORD, TABLE_PLACE_WORD, TABLE_WORD, TINT_FRACTION_BITS,
 };
@@ -63,6 +64,17 @@ pub fn registers() -> Vec<Register> {
         ],
     ));
     all
+}
+
+/// The scale of the lobe, for cores that work it out.
+pub fn scale() -> Register {
+    fields(
+        "material",
+        SCALE_WORD,
+        "scale",
+        "scale of the lobe",
+        vec![field(2, 0, "s")],
+    )
 }
 
 fn field(high: usize, low: usize, meaning: &str) -> Field {

@@ -80,7 +80,7 @@ fn triangle(order: Order) -> Triangle {
 pub(super) fn material(order: Order) -> Option<Material> {
     match order {
         Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => None,
-        Order::QuadraticDots => Some(Material {
+        Order::QuadraticDots | Order::Duff => Some(Material {
             ambient: [20.0, 10.0, 5.0],
             diffuse: [200.0, 120.0, 60.0],
             specular: [0.0; 3],
@@ -93,7 +93,9 @@ pub(super) fn material(order: Order) -> Option<Material> {
 pub(super) fn cosines(order: Order, knots: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
     match order {
         Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => knots,
-        Order::QuadraticDots => knots.iter().map(|k| [k[0] / 255.0, 0.0, 0.0]).collect(),
+        Order::QuadraticDots | Order::Duff => {
+            knots.iter().map(|k| [k[0] / 255.0, 0.0, 1.0]).collect()
+        }
     }
 }
 

@@ -48,6 +48,8 @@ pub struct PhongColour {
     cosine: Wire<Q<1, 16>>,
     /// Bits of N.L at and above 1.
     above: Wire<U<2>>,
+    /// The interval is written.
+    write_interval: Wire<Bit>,
     /// The word of an interval is written.
     write_table: Wire<Bit>,
     /// Power of N.H.
@@ -84,6 +86,7 @@ impl Default for PhongColour {
             light_4: Default::default(),
             cosine: Default::default(),
             above: Default::default(),
+            write_interval: Default::default(),
             write_table: Default::default(),
             power: Default::default(),
             red_sum: Default::default(),
@@ -108,10 +111,9 @@ impl Logic for PhongColour {
         dff_setup!(self, clock, interval, light_1, light_2, light_3, light_4);
         // Material.
         self.write_table.next = self.write.val() && (self.word.val() == 10u64.into());
-        if self.write.val() {
-            if self.word.val() == 9u64.into() {
-                self.interval.d.next = self.data.val().get_bits::<9>(0);
-            }
+        self.write_interval.next = self.write.val() && (self.word.val() == 9u64.into());
+        if self.write_interval.val() {
+            self.interval.d.next = self.data.val().get_bits::<9>(0);
         }
         if self.write_table.val() {
             self.interval.d.next = self.interval.q.val() + self.one.val();

@@ -16,11 +16,17 @@
 //! | products | 0.0005 | two, cut to 12 fraction bits |
 
 pub mod colour;
+pub mod cosine;
 pub mod fragment_delay;
+pub mod inverse_root;
+pub mod lobe_place;
 pub mod model;
 pub mod power;
 pub mod power_table;
 pub mod reflect;
+pub mod root_model;
+pub mod root_table;
+pub mod unit_cosines;
 
 /// Clocks from the cosines of a pixel to its colour.
 pub const STAGES: usize = 6;
