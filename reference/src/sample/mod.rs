@@ -138,15 +138,18 @@ fn shot(
     n: u32,
     wanted: &Wanted,
 ) -> Result<Drawn, SceneError> {
-    let start = Instant::now();
     let skips = skips_for(wanted.antialias, wanted.options.skips);
-    let scene = player.at(time);
-    let prepare = || Prepared::new(scene, Some(large), &skips);
-    let prepared = parallel::with(wanted.options.threads, prepare)?;
-    let prepare_ns = nanoseconds(start);
     let (m, o) = (wanted.method, &wanted.options);
-    let (frame, mut stats) = antialias::draw(&prepared, m, wanted.antialias, o)
-        .unwrap_or_else(|_| render(&prepared, m, o));
+    let scene = player.at(time);
+    // All in one, so that each thread finds what it has made itself.
+    let (prepared, prepare_ns, frame, mut stats) = parallel::with(o.threads, || {
+        let start = Instant::now();
+        let prepared = Prepared::new(scene, Some(large), &skips)?;
+        let prepare_ns = nanoseconds(start);
+        let (frame, stats) = antialias::draw(&prepared, m, wanted.antialias, o)
+            .unwrap_or_else(|_| render(&prepared, m, o));
+        Ok::<_, SceneError>((prepared, prepare_ns, frame, stats))
+    })?;
     let start = Instant::now();
     let frame = filter::down(frame, n, wanted.filter);
     stats.raster_ns += nanoseconds(start);

@@ -101,9 +101,10 @@ impl<S: Simd, const N: usize> Model<S, N> {
         shininess: f64,
     ) -> Self {
         Self {
-            view: match view {
-                Some(v) => Some(vector(simd, v)),
-                None => None,
+            view: if view.is_some() {
+                Some(vector(simd, view.unwrap_or_default()))
+            } else {
+                None
             },
             terms,
             ambient: vector(simd, ambient),
