@@ -17,8 +17,8 @@ use shadegate_gen::vectors::Trace;
 use shadegate_gen::wrapper::Wrapper;
 use shadegate_gen::write::write_file;
 use shadegate_reference::raster::Viewport;
-use shadegate_reference::{scene, Method};
-use shadegate_testbench::cosim::{core_for, prelude, CosimError};
+use shadegate_reference::scene;
+use shadegate_testbench::cosim::{prelude, CosimError};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 

@@ -3,6 +3,7 @@
 mod common;
 
 use common::{Folder, GOOD};
+use shadegate_gen::scene::{CORES, LINES};
 use shadegate_reference::{Method, Skips};
 use std::sync::LazyLock;
 
@@ -152,9 +153,12 @@ fn names() {
             Skips::NAMES.join(", ")
         ),
     );
-    let core = "unknown core 'goraud'; the nearest is 'gouraud' of gouraud, quadratic";
-    f.refuses("cosim ball.toml --core goraud", core);
-    f.refuses("gen goraud", core);
+    let core = format!(
+        "unknown core 'goraud'; the nearest is 'gouraud' of {}",
+        cores()
+    );
+    f.refuses("cosim ball.toml --core goraud", &core);
+    f.refuses("gen goraud", &core);
     f.refuses(
         "gen ball.toml",
         "'ball.toml' is not a core; for a scene: shadegate gen --scene ball.toml",
@@ -175,6 +179,13 @@ fn names() {
     );
 }
 
+/// The names of all cores.
+fn cores() -> String {
+    let triangles = CORES.iter().map(|c| c.0);
+    let all: Vec<_> = triangles.chain(LINES.iter().map(|l| l.0)).collect();
+    all.join(", ")
+}
+
 #[test]
 fn methods_without_a_core() {
     let f = Folder::new();
@@ -185,8 +196,8 @@ fn methods_without_a_core() {
         "cosim flat.toml",
         "gen --scene flat.toml",
     ] {
-        let message = "method 'flat' has no core; cores: gouraud, quadratic, quadratic-dots, duff";
-        f.refuses(arguments, message);
+        let message = format!("method 'flat' has no core; cores: {}", cores());
+        f.refuses(arguments, &message);
     }
     f.refuses(
         "cosim ball.toml --method gouraud --core quadratic",
@@ -196,15 +207,34 @@ fn methods_without_a_core() {
 
 /// What only software draws is refused where a core is to draw it.
 #[test]
-fn wires_and_anti_aliasing_have_no_core() {
+fn mixtures_and_anti_aliasing_have_no_core() {
     let f = Folder::new();
     f.write("wire.toml", &format!("{GOOD}draw = \"wireframe\"\n"));
+    let second = "[[object]]\nshape = \"box\"\nmaterial = \"clay\"\n";
+    f.write(
+        "mixed.toml",
+        &format!("{GOOD}draw = \"wireframe\"\n{second}"),
+    );
     f.write(
         "smooth.toml",
         &format!("{GOOD}[render]\nantialias = \"cubic\"\n"),
     );
     for command in ["cosim", "gen --scene"] {
-        f.refuses(&format!("{command} wire.toml"), "WIREMSG");
+        f.refuses(
+            &format!("{command} mixed.toml"),
+            "object[0] of the scene is a wireframe and object[1] is shaded, and no core draws both; expected the same draw for every object",
+        );
+        f.refuses(
+            &format!("{command} wire.toml --method gouraud"),
+            "core 'gouraud' does not draw wireframes, and object[0] of the scene is one; cores that do: bresenham, box, cone",
+        );
+        f.refuses(
+            &format!("{command} ball.toml --method cone"),
+            &format!(
+                "core 'cone' draws wireframes, and the scene has none; cores of triangles: {}",
+                CORES.map(|c| c.0).join(", ")
+            ),
+        );
         f.refuses(
             &format!("{command} smooth.toml"),
             "the scene asks for antialias = 'cubic', which no core draws; expected antialias = 'none'",

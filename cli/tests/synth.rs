@@ -123,7 +123,15 @@ fn what_cannot_be_synthesised_is_refused() {
     let f = folder();
     f.refuses(
         "synth goraud",
-        "unknown core 'goraud'; the nearest is 'gouraud' of gouraud, quadratic",
+        &format!(
+            "unknown core 'goraud'; the nearest is 'gouraud' of {}",
+            shadegate_gen::scene::CORES
+                .iter()
+                .map(|c| c.0)
+                .chain(shadegate_gen::scene::LINES.iter().map(|l| l.0))
+                .collect::<Vec<_>>()
+                .join(", ")
+        ),
     );
     f.refuses(
         "synth ball.toml",

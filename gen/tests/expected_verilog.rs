@@ -4,16 +4,32 @@
 use shadegate_gen::package::rtl;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
+use shadegate_hdl::shade::span_core::SpanKind;
 use std::path::Path;
 
 #[test]
-fn every_core() {
-    for order in [
+fn cores_of_triangles() {
+    expected(&[
         Order::Linear,
         Order::Quadratic,
         Order::QuadraticDots,
         Order::Duff,
-    ] {
+    ]);
+}
+
+#[test]
+fn span_cores() {
+    let kinds = [
+        SpanKind::Slerp,
+        SpanKind::Chebyshev,
+        SpanKind::Spherical(6),
+        SpanKind::Blake,
+    ];
+    expected(&kinds.map(Order::Span));
+}
+
+fn expected(orders: &[Order]) {
+    for order in orders.iter().copied() {
         let core = Core::for_frame(order, 320, 240).expect("in range");
         let files = rtl(&core).expect("emits").files;
         assert_eq!(

@@ -1,6 +1,8 @@
 //! The span cores against what their methods are by definition, over the longest spans; one pixel per clock; any
 //! back pressure; and what they refuse.
 
+mod common;
+
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use shadegate_gen::package::{registers, rtl};
@@ -317,19 +319,62 @@ fn what_does_not_fit_is_refused_with_its_reason() {
             .expect_err("refused")
             .to_string()
     };
-    let of = |change: &dyn Fn(&mut Vec<Triangle>)| refused(SpanKind::Slerp, change);
-    let materials = of(&|t| (0..6).for_each(|i| t[i].knots[16][2] = i as f64));
-    assert!(materials.contains("one more than the 4"), "{materials}");
-    assert!(of(&|t| t[2].knots[14][1] = 700.0).contains("colour 700 is outside 0 to 681.5"));
-    assert!(of(&|t| t[2].knots[16][0] = 0.5).contains("shininess 0.5 is outside 1 to 1024"));
-    assert!(of(&|t| t[2].knots.truncate(3)).contains("3 knots where a span core takes 17 rows"));
-    assert!(of(&|t| t[1].knots[0][0] = f64::NAN).contains("not a finite number"));
-    assert!(of(&|t| t[1].depth[0] = 70_000.0).contains("depth 70000 is outside 0 to 65535"));
+    let says = |what: &str, change: &dyn Fn(&mut Vec<Triangle>)| {
+        let said = refused(SpanKind::Slerp, change);
+        assert!(said.contains(what), "{said}");
+    };
+    says("one more than the 4", &|t| {
+        (0..6).for_each(|i| t[i].knots[16][2] = i as f64);
+    });
+    says("colour 700 is outside 0 to 681.5", &|t| {
+        t[2].knots[14][1] = 700.0
+    });
+    says("shininess 0.5 is outside the 1 to 1024", &|t| {
+        t[2].knots[16][0] = 0.5
+    });
+    says("3 knots where a span core takes 17 rows", &|t| {
+        t[2].knots.truncate(3)
+    });
+    says("not a finite number", &|t| t[1].knots[0][0] = f64::NAN);
+    says("depth 70000 is outside 0 to 65535", &|t| {
+        t[1].depth[0] = 70_000.0
+    });
     let steep = refused(SpanKind::SphericalPower(8), &|t| t[0].knots[16][0] = 2000.0);
     assert!(
-        steep.contains("shininess 2000 is outside 0 to 1024"),
+        steep.contains("shininess 2000 is outside the 0 to 1024"),
         "{steep}"
     );
+}
+
+/// The example of a package, under Icarus: a bench that draws once and counts what is written.
+#[test]
+fn the_example_draws_its_triangle() {
+    common::need("iverilog");
+    let bench = "module bench; reg clock = 0; reg go = 1; wire idle, done, write; wire [20:0] address; wire [23:0] colour; \
+                 wire [15:0] depth; TOP_example example (.clock(clock), .go(go), .idle(idle), .done(done), \
+                 .frame_write(write), .frame_address(address), .frame_colour(colour), .frame_depth(depth)); \
+                 always #5 clock = !clock; always @(posedge clock) begin if (write) $display(\"%0d\", address); \
+                 if (done) $finish; #1 go = 0; end endmodule\n";
+    for kind in KINDS {
+        let made = common::make(Order::Span(kind), 20, 16, None, &[]);
+        let directory = made.unpacked();
+        let bench = bench.replace("TOP", &made.package.manifest.top);
+        std::fs::write(directory.path().join("bench.v"), bench).expect("writable");
+        let parts = [
+            &["-g2001", "-o", "bench", "bench.v"],
+            &made.paths("rtl/", ".v")[..],
+            &made.paths("example/", ".v"),
+        ];
+        common::silent(directory.path(), "iverilog", &parts.concat());
+        let (done, said) = common::run(directory.path(), "vvp", &["-N", "bench"]);
+        let drawn: Vec<u32> = said.lines().filter_map(|l| l.parse().ok()).collect();
+        // Centres inside the triangle over 12 columns and 6 rows.
+        let row = |y: u32| (0..12).filter(move |x| (2 * x + 1) * 6 + (2 * y + 1) * 12 < 144);
+        let want: Vec<u32> = (0..6)
+            .flat_map(|y| row(y).map(move |x| y * 20 + x))
+            .collect();
+        assert!(done && drawn == want, "{kind:?}: {said}");
+    }
 }
 
 #[test]

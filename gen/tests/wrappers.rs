@@ -8,6 +8,7 @@ use shadegate_gen::package::PackageFile;
 use shadegate_gen::wrapper::{map, Wrapper};
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
+use shadegate_hdl::shade::span_core::SpanKind;
 
 /// What a wrapper's bench says, with these changes made to the package's files (path ending, old text, new text).
 fn bench(made: &Made, wrapper: Wrapper, seed: u32, changes: &[(&str, &str, &str)]) -> String {
@@ -47,6 +48,7 @@ fn a_frame_through_each_bus_gives_the_pixels_of_the_vectors() {
         (Order::Quadratic, 64, 48),
         (Order::Quadratic, 32, 510),
         (Order::Linear, 2, 1),
+        (Order::Span(SpanKind::Slerp), 40, 30),
     ] {
         let made = make(order, width, height, None, &Wrapper::ALL);
         for wrapper in Wrapper::ALL {

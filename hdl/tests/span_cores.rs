@@ -74,7 +74,7 @@ fn run(core: Core, seed: u64, clocks: usize) {
         }
     }
     assert!(
-        pixels > clocks as u64 / 100 && colours.len() > 200,
+        pixels > clocks as u64 / 100 && colours.len() > 100,
         "the stimulus must draw: {pixels} pixels, {} colours",
         colours.len()
     );

@@ -79,9 +79,8 @@ fn netlists_for_spartan_7_are_the_cores() {
         let r = &s.resources;
         // Every register of the description that is not a constant or a copy is a flip-flop; no adder is lost.
         assert!(r.lut > 800 && r.ff > 1_500 && r.carry > 80, "{r:?}");
-        assert_eq!((r.bram, r.bram_kbit, r.dsp), (bram, 18 * bram, dsp));
-        // Shift registers only where pixels wait for their colours.
-        assert_eq!(r.lut_memory > 0, order == Order::QuadraticDots);
+        let counted = (r.bram, r.bram_kbit, r.dsp, r.lut_memory);
+        assert_eq!(counted, (bram, 18 * bram, dsp, 0));
         let unknown: Vec<_> = r.other.keys().filter(|c| !c.starts_with("MUXF")).collect();
         assert!(unknown.is_empty(), "{unknown:?}");
         let depth = s.depth.expect("a path");

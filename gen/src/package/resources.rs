@@ -9,6 +9,7 @@ use shadegate_constraints::Device;
 use shadegate_hdl::line::Filter;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
+use shadegate_hdl::shade::span_core::SpanKind;
 
 /// Synthesiser and what it counted.
 pub const TOOL: &str = "Yosys 0.23, synth_xilinx, cells before placement";
@@ -58,8 +59,8 @@ const fn with_multipliers(dsp: u32, row: Measured) -> Measured {
 
 const QUADRATIC_DOTS: [Measured; 3] = [
     with_multipliers(7, row("spartan-3", 2420, 3838, 77)),
-    with_multipliers(7, row("spartan-6", 2144, 3295, 77)),
-    with_multipliers(7, row("spartan-7", 2136, 3295, 39)),
+    with_multipliers(7, row("spartan-6", 2139, 3684, 77)),
+    with_multipliers(7, row("spartan-7", 2157, 3684, 39)),
 ];
 
 /// The estimate in a manifest.
@@ -96,6 +97,9 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
             Order::Line(Filter::Bresenham) => 0,
             Order::Line(Filter::Box | Filter::Cone) => 3,
             Order::Duff => 12,
+            // Two per channel; a recurrence for either curve and the power in between.
+            Order::Span(SpanKind::Slerp | SpanKind::Chebyshev) => 9,
+            Order::Span(_) => 6,
         },
         depth_memory_bits: core.memory_bits(),
         tool: TOOL,

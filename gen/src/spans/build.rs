@@ -96,7 +96,7 @@ fn depth_words(t: &Triangle, span: Span) -> Result<[u64; 2], String> {
     // A span of one pixel may have any step, and a residue of it serves.
     let step = code.clamp(-9e18, 9e18) as i64 as u64 & 0xffff_ffff;
     // Rounding may carry a value at the end of the range beyond it; the registers' last code is as good.
-    let value = value.clamp(-32768.0, 32767.999_98);
+    let value = value.clamp(-32_768.0, 32_767.999_98);
     Ok([signed("depth", value, fraction, 32)?, step])
 }
 
@@ -156,6 +156,7 @@ pub fn build(
 
 fn error(index: usize, t: &Triangle, what: String) -> StimulusError {
     StimulusError {
+        primitive: "triangle",
         index,
         label: t.label.clone(),
         what,

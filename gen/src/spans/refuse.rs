@@ -3,7 +3,7 @@
 use crate::scene::method_of;
 use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::span_core::SpanKind;
-use shadegate_reference::scene::{Attenuation, LightKind};
+use shadegate_reference::scene::LightKind;
 use shadegate_reference::{supported, Prepared, Unsupported};
 
 /// Why a span core cannot draw a scene.
@@ -33,7 +33,7 @@ pub fn drawable(p: &Prepared, order: Order) -> Result<(), Refused> {
         return Ok(());
     };
     supported(p, method_of(order))?;
-    let s = &p.surroundings;
+    let s = p.surroundings();
     let refuse = |takes, has| {
         Err(Refused::Core {
             core: kind.name(),
@@ -47,8 +47,10 @@ pub fn drawable(p: &Prepared, order: Order) -> Result<(), Refused> {
     for k in 0..s.lights() {
         let fades = match &s.light(k).0.kind {
             LightKind::Directional { .. } => None,
-            LightKind::Point { attenuation, .. } if *attenuation == Attenuation::None => None,
-            LightKind::Point { .. } => Some("a point light that falls off with distance"),
+            LightKind::Point { attenuation, .. } => {
+                let fades = attenuation.linear != 0.0 || attenuation.quadratic != 0.0;
+                fades.then_some("a point light that falls off with distance")
+            }
             LightKind::Spot { .. } => Some("a spot"),
         };
         if let Some(has) = fades {

@@ -45,6 +45,7 @@ pub fn triangles(p: &Prepared) -> Vec<Triangle> {
             position: t.position,
             depth: t.depth.map(depth::scaled),
             knots,
+            material: None,
             label: format!("object {}, face {}", t.object, t.face),
         }
     };

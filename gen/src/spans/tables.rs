@@ -3,7 +3,7 @@
 use super::curves::Curves;
 use super::surface::Surface;
 use shadegate_hdl::lit::channel::{COLOUR_FRACTION_BITS, LARGEST};
-use shadegate_hdl::lit::power::{chord, shift_of, CHORDS};
+use shadegate_hdl::lit::chord::{chord, shift_of, CHORDS};
 use shadegate_hdl::lit::{loader, MATERIALS};
 use shadegate_hdl::shade::span_core::SpanKind;
 
@@ -51,11 +51,12 @@ impl Palette {
             return Err(format!("colour {c} is outside 0 to {limit}"));
         }
         check_exponent(kind, new.exponent)?;
+        let full = self.materials.len() == MATERIALS;
         let known = |m: &&mut Material| m.scene_index == new.scene_index;
         match self.materials.iter_mut().find(known) {
             Some(m) if new.lit && !m.lit => *m = new,
             Some(_) => {}
-            None if self.materials.len() == MATERIALS => {
+            None if full => {
                 return Err(format!(
                     "its material is one more than the {MATERIALS} that this core takes in a frame"
                 ));

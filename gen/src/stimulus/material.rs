@@ -25,7 +25,7 @@ const BRIGHTEST: f64 = 2047.0;
 pub fn greatest_exponent(order: Order) -> f64 {
     match order {
         Order::Duff => unit_cosines::MAX_EXPONENT,
-        Order::Linear | Order::Quadratic | Order::QuadraticDots => MAX_EXPONENT,
+        _ => MAX_EXPONENT,
     }
 }
 

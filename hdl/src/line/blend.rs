@@ -6,7 +6,8 @@
 //! half-way between two levels.
 //!
 //! # Range
-//! new − old in ±255 (Q8.0), times the weight in ±65 025 (Q17.0); T in 128..=65 153, T + T/256 below 65 536.
+//! new − old in ±255 (Q8.0); times the weight ±65 025, kept modulo 2¹⁶, as is 255·old + 128: their sum T lies in
+//! 128..=65 153 and is right; T + T/256 stays below 65 536.
 
 use crate::format::{
     bit_cast_u, signed_cast_bits, signed_cast_product, unsigned_cast_integer, Q, U,
@@ -25,7 +26,7 @@ pub struct Blend {
     /// Level in the frame.
     pub old: Signal<In, U<8>>,
     /// Level of the line.
-    pub new: Signal<In, U<8>>,
+    pub target: Signal<In, U<8>>,
     /// Weight of the line, of 255.
     pub weight: Signal<In, U<8>>,
     /// The level between them, one clock later.
@@ -45,25 +46,21 @@ pub struct Blend {
     /// New less old.
     difference: Wire<Q<8, 0>>,
     /// Old level in a long word.
-    old_long: Wire<U<18>>,
+    old_long: Wire<U<16>>,
     /// 255 times the old level, and 128.
-    old_scaled: Wire<U<18>>,
-    /// Weighted difference.
-    product: Register<Q<17, 0>>,
+    old_scaled: Wire<U<16>>,
+    /// Weighted difference, its low 16 bits.
+    product: Register<Q<15, 0>>,
     /// 255 times the old level, and 128.
-    base: Register<Q<17, 0>>,
+    base: Register<Q<15, 0>>,
     /// 255 times the result, and 128.
-    total: Wire<Q<17, 0>>,
-    /// The same, without sign.
-    total_bits: Wire<U<16>>,
+    total: Wire<U<16>>,
     /// Its upper byte.
     upper: Wire<U<8>>,
     /// Its upper byte in a long word.
     upper_long: Wire<U<16>>,
-    /// 256 times the result.
-    quotient: Wire<U<16>>,
     /// Half of 255, rounded up.
-    half: Constant<U<18>>,
+    half: Constant<U<16>>,
 }
 
 impl Default for Blend {
@@ -72,7 +69,7 @@ impl Default for Blend {
             clock: Default::default(),
             go: Default::default(),
             old: Default::default(),
-            new: Default::default(),
+            target: Default::default(),
             weight: Default::default(),
             level: Default::default(),
             old_wide: Default::default(),
@@ -87,10 +84,8 @@ impl Default for Blend {
             product: Default::default(),
             base: Default::default(),
             total: Default::default(),
-            total_bits: Default::default(),
             upper: Default::default(),
             upper_long: Default::default(),
-            quotient: Default::default(),
             half: Constant::new(U::new(128)),
         }
     }
@@ -101,36 +96,35 @@ impl Logic for Blend {
     fn update(&mut self) {
         comment!("name blend");
         comment!("title One channel of weighted writing: between the old level and the new one.");
-        comment!("equation level = round((255 old + (new - old) weight) / 255)");
+        comment!("equation level = round((255 old + (target - old) weight) / 255)");
         comment!("source In place of the += of Abbas 2003, chapter 3, which holds on an empty background only.");
-        comment!("latency One clock from old, new and weight to level; one value per clock.");
+        comment!("latency One clock from old, target and weight to level; one value per clock.");
         dff_setup!(self, clock, product, base);
         self.old_wide.next = bit_cast_u::<9, 8>(self.old.val());
-        self.new_wide.next = bit_cast_u::<9, 8>(self.new.val());
+        self.new_wide.next = bit_cast_u::<9, 8>(self.target.val());
         self.weight_wide.next = bit_cast_u::<9, 8>(self.weight.val());
         self.old_signed.next = signed_cast_bits::<8, 0, 9>(self.old_wide.val());
         self.new_signed.next = signed_cast_bits::<8, 0, 9>(self.new_wide.val());
         self.weight_signed.next = signed_cast_bits::<8, 0, 9>(self.weight_wide.val());
         self.difference.next = self.new_signed.val() - self.old_signed.val();
-        self.old_long.next = bit_cast_u::<18, 8>(self.old.val());
+        self.old_long.next = bit_cast_u::<16, 8>(self.old.val());
         self.old_scaled.next =
             (self.old_long.val() << 8u64) - self.old_long.val() + self.half.val();
         if self.go.val() {
             self.product.d.next =
-                signed_cast_product::<17, 0>(self.difference.val() * self.weight_signed.val());
-            self.base.d.next = signed_cast_bits::<17, 0, 18>(self.old_scaled.val());
+                signed_cast_product::<15, 0>(self.difference.val() * self.weight_signed.val());
+            self.base.d.next = signed_cast_bits::<15, 0, 16>(self.old_scaled.val());
         }
-        self.total.next = self.product.q.val() + self.base.q.val();
-        self.total_bits.next = unsigned_cast_integer::<16, 17, 0>(self.total.val());
-        self.upper.next = self.total_bits.val().get_bits::<8>(8);
+        self.total.next =
+            unsigned_cast_integer::<16, 15, 0>(self.product.q.val() + self.base.q.val());
+        self.upper.next = self.total.val().get_bits::<8>(8);
         self.upper_long.next = bit_cast_u::<16, 8>(self.upper.val());
-        self.quotient.next = self.total_bits.val() + self.upper_long.val();
-        self.level.next = self.quotient.val().get_bits::<8>(8);
+        self.level.next = bit_cast_u::<8, 16>((self.total.val() + self.upper_long.val()) >> 8u64);
     }
 }
 
 crate::clocked!(Blend;
-    inputs go, old, new, weight;
+    inputs go, old, target, weight;
     outputs level);
 
 /// What [`Blend`] makes of a level.

@@ -143,7 +143,7 @@ impl<const A: usize> Logic for BoxCore<A> {
         self.walk.clock.next = self.clock.val();
         self.walk.write.next = self.line_write.val();
         self.walk.word.next = self.word.val();
-        self.walk.data.next = self.data.val();
+        self.walk.data.next = bit_cast_u::<24, 32>(self.data.val());
         self.walk.start.next = self.start.val();
         self.walk.hold.next = self.stream.clearing.val();
         self.walk.go.next = self.stream.go.val();
@@ -174,7 +174,7 @@ impl<const A: usize> Logic for BoxCore<A> {
         self.weights.clock.next = self.clock.val();
         self.weights.write.next = self.line_write.val();
         self.weights.word.next = self.word.val();
-        self.weights.data.next = self.data.val();
+        self.weights.data.next = bit_cast_u::<17, 32>(self.data.val());
         self.weights.load.next = self.walk.load.val();
         self.weights.advance.next = self.advance.val();
         self.weights.rises.next = self.walk.rises.val();
@@ -202,7 +202,7 @@ impl<const A: usize> Logic for BoxCore<A> {
         self.stream.clear.next = self.clear.val();
         self.stream.ready.next = self.ready.val();
         self.stream.walking.next = self.walk.busy.val();
-        self.stream.fragment.next = self.walk.active.val() && self.lane_place.inside.val();
+        self.stream.fragment.next = self.walk.active.val() && self.lane_place.in_frame.val();
         self.stream.fragment_x.next = self.lane_place.x.val();
         self.stream.fragment_y.next = self.lane_place.y.val();
         self.stream.address.next = self.lane_place.place.val();

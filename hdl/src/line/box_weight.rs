@@ -32,8 +32,8 @@ pub struct BoxWeight {
     pub write: Signal<In, Bit>,
     /// Register word, 6 to 9; others are ignored.
     pub word: Signal<In, U<4>>,
-    /// Register bus.
-    pub data: Signal<In, U<32>>,
+    /// Register bus; its low 17 bits are enough.
+    pub data: Signal<In, U<17>>,
     /// Moves the register words to the accumulator: a new line begins.
     pub load: Signal<In, Bit>,
     /// Steps to the next column.

@@ -5,7 +5,7 @@
 use super::cue::Cue;
 use super::place::LanePlace;
 use super::walk::LineWalk;
-use crate::format::U;
+use crate::format::{bit_cast_u, U};
 use crate::simulate::{Quiet, Register, Wire};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
@@ -161,7 +161,7 @@ impl<const A: usize> Logic for BresenhamCore<A> {
         self.walk.clock.next = self.clock.val();
         self.walk.write.next = self.line_write.val();
         self.walk.word.next = self.word.val();
-        self.walk.data.next = self.data.val();
+        self.walk.data.next = bit_cast_u::<24, 32>(self.data.val());
         self.walk.start.next = self.start.val();
         self.walk.hold.next = self.clearing.q.val();
         self.walk.go.next = self.moves.val();
@@ -200,7 +200,7 @@ impl<const A: usize> Logic for BresenhamCore<A> {
         self.lane_place.frame_height.next = self.walk.frame_height.val();
 
         if self.moves.val() {
-            self.out_valid.d.next = self.walk.active.val() && self.lane_place.inside.val();
+            self.out_valid.d.next = self.walk.active.val() && self.lane_place.in_frame.val();
             self.out_x.d.next = self.lane_place.x.val();
             self.out_y.d.next = self.lane_place.y.val();
             self.out_red.d.next = self.red_value.level.val();

@@ -151,7 +151,7 @@ impl<const A: usize> Logic for ConeCore<A> {
         self.walk.clock.next = self.clock.val();
         self.walk.write.next = self.line_write.val();
         self.walk.word.next = self.word.val();
-        self.walk.data.next = self.data.val();
+        self.walk.data.next = bit_cast_u::<24, 32>(self.data.val());
         self.walk.start.next = self.start.val();
         self.walk.hold.next = self.stream.clearing.val();
         self.walk.go.next = self.stream.go.val();
@@ -190,7 +190,7 @@ impl<const A: usize> Logic for ConeCore<A> {
         self.stages.lane.next = self.walk.lane.val();
         self.weights.clock.next = self.clock.val();
         self.weights.read.next = self.stream.moving.val();
-        self.weights.index.next = self.stages.magnitude.val().get_bits::<9>(22);
+        self.weights.index.next = self.stages.index.val();
 
         self.lane_place.lane.next = self.walk.lane.val();
         self.lane_place.below.next = self.stages.below.val();
@@ -211,7 +211,7 @@ impl<const A: usize> Logic for ConeCore<A> {
         self.stream.clear.next = self.clear.val();
         self.stream.ready.next = self.ready.val();
         self.stream.walking.next = self.walk.busy.val();
-        self.stream.fragment.next = self.walk.active.val() && self.lane_place.inside.val();
+        self.stream.fragment.next = self.walk.active.val() && self.lane_place.in_frame.val();
         self.stream.fragment_x.next = self.lane_place.x.val();
         self.stream.fragment_y.next = self.lane_place.y.val();
         self.stream.address.next = self.lane_place.place.val();

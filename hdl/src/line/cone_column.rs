@@ -12,14 +12,15 @@ use super::cone_words::{ConeWords, ConeWordsModel};
 use super::walk::LineWalk;
 use super::walk_model::{WalkInputs, WalkModel, WalkPosition};
 use super::weight_rom::{WeightModel, WeightRom};
-use crate::format::{signed_cast_align, wrap, Q, U};
+use crate::format::{bit_cast_u, unsigned_cast_integer, wrap, Q, U};
 use crate::simulate::{Quiet, Register, Wire};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
 
-/// `A` is the width of a frame address, `F` counts the fraction bits of the tables, `I` = `F` + 1 their address bits.
+/// `A` is the width of a frame address; the tables have `I` address bits, `I` − 1 of them fraction bits of a pixel, and a
+/// distance has `N` = 31 − `I` bits below a bin.
 #[derive(LogicBlock)]
-pub struct ConeColumns<const A: usize, const F: usize, const I: usize> {
+pub struct ConeColumns<const A: usize, const I: usize, const N: usize> {
     /// Clock.
     pub clock: Signal<In, Clock>,
     /// Writes `data` to register word `word`; ignored while `load_ready` is low.
@@ -51,9 +52,9 @@ pub struct ConeColumns<const A: usize, const F: usize, const I: usize> {
     /// Weight of the middle pixel, of 255.
     pub middle: Signal<Out, U<8>>,
     /// Weight of the pixel at Y + 1.
-    pub after: Signal<Out, U<8>>,
+    pub plus: Signal<Out, U<8>>,
     /// Weight of the pixel at Y - 1.
-    pub before: Signal<Out, U<8>>,
+    pub minus: Signal<Out, U<8>>,
     /// Weight of the fourth pixel, at Y + 2 or Y - 2.
     pub fourth: Signal<Out, U<8>>,
     /// A line is waiting or being walked, or a column is offered.
@@ -61,9 +62,9 @@ pub struct ConeColumns<const A: usize, const F: usize, const I: usize> {
     /// Register file and walk.
     walk: Quiet<LineWalk<A>>,
     /// Register words of the distances.
-    words: Quiet<ConeWords>,
+    words: Quiet<ConeWords<I, N>>,
     /// D: distance of the walk's middle pixel from the line.
-    distance: Register<Q<1, 30>>,
+    distance: Register<Q<I, N>>,
     /// A column is offered.
     out_valid: Register<Bit>,
     /// Major coordinate of the column.
@@ -84,39 +85,23 @@ pub struct ConeColumns<const A: usize, const F: usize, const I: usize> {
     moves: Wire<Bit>,
     /// D is negative.
     negative: Wire<Bit>,
-    /// Distance of the middle pixel, without its sign.
-    middle_distance: Wire<Q<1, 30>>,
-    /// Distance of the pixel at Y + 1.
-    after_distance: Wire<Q<1, 30>>,
-    /// Distance of the pixel at Y - 1.
-    before_distance: Wire<Q<1, 30>>,
-    /// Distance of the fourth pixel.
-    fourth_distance: Wire<Q<1, 30>>,
-    /// Its leading bits.
-    middle_cut: Wire<Q<1, F>>,
-    /// Its leading bits.
-    after_cut: Wire<Q<1, F>>,
-    /// Its leading bits.
-    before_cut: Wire<Q<1, F>>,
-    /// Its leading bits.
-    fourth_cut: Wire<Q<1, F>>,
     /// Weights of the middle pixel.
     middle_rom: Quiet<WeightRom<I>>,
     /// Weights of the pixel at Y + 1.
-    after_rom: Quiet<WeightRom<I>>,
+    plus_rom: Quiet<WeightRom<I>>,
     /// Weights of the pixel at Y - 1.
-    before_rom: Quiet<WeightRom<I>>,
+    minus_rom: Quiet<WeightRom<I>>,
     /// Weights of the fourth pixel.
     fourth_rom: Quiet<WeightRom<I>>,
     /// On the line.
-    zero: Constant<Q<1, 30>>,
+    zero: Constant<Q<I, N>>,
 }
 
-impl<const A: usize, const F: usize, const I: usize> Default for ConeColumns<A, F, I> {
+impl<const A: usize, const I: usize, const N: usize> Default for ConeColumns<A, I, N> {
     fn default() -> Self {
         assert!(
-            I == F + 1,
-            "the tables have one integer bit and F fraction bits"
+            I + N == 31,
+            "a distance has a sign, I bits of a bin and N below"
         );
         Self {
             clock: Default::default(),
@@ -134,8 +119,8 @@ impl<const A: usize, const F: usize, const I: usize> Default for ConeColumns<A, 
             falling: Default::default(),
             below: Default::default(),
             middle: Default::default(),
-            after: Default::default(),
-            before: Default::default(),
+            plus: Default::default(),
+            minus: Default::default(),
             fourth: Default::default(),
             busy: Default::default(),
             walk: Default::default(),
@@ -151,24 +136,16 @@ impl<const A: usize, const F: usize, const I: usize> Default for ConeColumns<A, 
             out_lanes: Default::default(),
             moves: Default::default(),
             negative: Default::default(),
-            middle_distance: Default::default(),
-            after_distance: Default::default(),
-            before_distance: Default::default(),
-            fourth_distance: Default::default(),
-            middle_cut: Default::default(),
-            after_cut: Default::default(),
-            before_cut: Default::default(),
-            fourth_cut: Default::default(),
             middle_rom: Default::default(),
-            after_rom: Default::default(),
-            before_rom: Default::default(),
+            plus_rom: Default::default(),
+            minus_rom: Default::default(),
             fourth_rom: Default::default(),
             zero: Constant::new(Q::from_code(0)),
         }
     }
 }
 
-impl<const A: usize, const F: usize, const I: usize> Logic for ConeColumns<A, F, I> {
+impl<const A: usize, const I: usize, const N: usize> Logic for ConeColumns<A, I, N> {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("name cone_columns");
@@ -193,7 +170,7 @@ impl<const A: usize, const F: usize, const I: usize> Logic for ConeColumns<A, F,
         self.walk.clock.next = self.clock.val();
         self.walk.write.next = self.write.val();
         self.walk.word.next = self.word.val();
-        self.walk.data.next = self.data.val();
+        self.walk.data.next = bit_cast_u::<24, 32>(self.data.val());
         self.walk.start.next = self.start.val();
         self.walk.hold.next = false;
         self.walk.go.next = self.moves.val();
@@ -217,30 +194,28 @@ impl<const A: usize, const F: usize, const I: usize> Logic for ConeColumns<A, F,
 
         // Distances of all lanes side by side.
         self.negative.next = self.distance.q.val().get_bit(31);
-        self.middle_distance.next = self.distance.q.val();
-        self.fourth_distance.next = self.words.cosine_2.val() - self.distance.q.val();
         if self.negative.val() {
-            self.middle_distance.next = self.zero.val() - self.distance.q.val();
-            self.fourth_distance.next = self.words.cosine_2.val() + self.distance.q.val();
+            self.middle_rom.index.next =
+                unsigned_cast_integer::<I, I, N>(self.zero.val() - self.distance.q.val());
+            self.fourth_rom.index.next =
+                unsigned_cast_integer::<I, I, N>(self.words.cosine_2.val() + self.distance.q.val());
+        } else {
+            self.middle_rom.index.next = unsigned_cast_integer::<I, I, N>(self.distance.q.val());
+            self.fourth_rom.index.next =
+                unsigned_cast_integer::<I, I, N>(self.words.cosine_2.val() - self.distance.q.val());
         }
-        self.after_distance.next = self.words.cosine.val() - self.distance.q.val();
-        self.before_distance.next = self.words.cosine.val() + self.distance.q.val();
-        self.middle_cut.next = signed_cast_align::<1, F, 1, 30>(self.middle_distance.val());
-        self.after_cut.next = signed_cast_align::<1, F, 1, 30>(self.after_distance.val());
-        self.before_cut.next = signed_cast_align::<1, F, 1, 30>(self.before_distance.val());
-        self.fourth_cut.next = signed_cast_align::<1, F, 1, 30>(self.fourth_distance.val());
+        self.plus_rom.index.next =
+            unsigned_cast_integer::<I, I, N>(self.words.cosine.val() - self.distance.q.val());
+        self.minus_rom.index.next =
+            unsigned_cast_integer::<I, I, N>(self.words.cosine.val() + self.distance.q.val());
         self.middle_rom.clock.next = self.clock.val();
         self.middle_rom.read.next = self.moves.val();
-        self.middle_rom.index.next = self.middle_cut.val().get_bits::<I>(0);
-        self.after_rom.clock.next = self.clock.val();
-        self.after_rom.read.next = self.moves.val();
-        self.after_rom.index.next = self.after_cut.val().get_bits::<I>(0);
-        self.before_rom.clock.next = self.clock.val();
-        self.before_rom.read.next = self.moves.val();
-        self.before_rom.index.next = self.before_cut.val().get_bits::<I>(0);
+        self.plus_rom.clock.next = self.clock.val();
+        self.plus_rom.read.next = self.moves.val();
+        self.minus_rom.clock.next = self.clock.val();
+        self.minus_rom.read.next = self.moves.val();
         self.fourth_rom.clock.next = self.clock.val();
         self.fourth_rom.read.next = self.moves.val();
-        self.fourth_rom.index.next = self.fourth_cut.val().get_bits::<I>(0);
 
         if self.moves.val() {
             self.out_valid.d.next = self.walk.active.val();
@@ -263,12 +238,12 @@ impl<const A: usize, const F: usize, const I: usize> Logic for ConeColumns<A, F,
         self.below.next = self.out_below.q.val();
         // A line of one pixel has no neighbours, and only lines near the diagonal have a fourth pixel.
         self.middle.next = self.middle_rom.weight.val();
-        self.after.next = 0u64.into();
-        self.before.next = 0u64.into();
+        self.plus.next = 0u64.into();
+        self.minus.next = 0u64.into();
         self.fourth.next = 0u64.into();
         if self.out_lanes.q.val().any() {
-            self.after.next = self.after_rom.weight.val();
-            self.before.next = self.before_rom.weight.val();
+            self.plus.next = self.plus_rom.weight.val();
+            self.minus.next = self.minus_rom.weight.val();
         }
         if self.out_lanes.q.val() == 3u64.into() {
             self.fourth.next = self.fourth_rom.weight.val();
@@ -277,9 +252,9 @@ impl<const A: usize, const F: usize, const I: usize> Logic for ConeColumns<A, F,
     }
 }
 
-crate::clocked!(ConeColumns<A, F, I>, const A: usize, const F: usize, const I: usize;
+crate::clocked!(ConeColumns<A, I, N>, const A: usize, const I: usize, const N: usize;
     inputs write, word, data, start, ready;
-    outputs load_ready, valid, major, minor, address, steep, falling, below, middle, after, before, fourth, busy);
+    outputs load_ready, valid, major, minor, address, steep, falling, below, middle, plus, minus, fourth, busy);
 
 /// A column as [`ConeColumns`] offers it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -6,10 +6,11 @@
 //! one does exactly one operation per pixel: while the second stage looks up and draws a lane, this stage forms the
 //! distance of the next one, or D of the next column. Neither stage ever waits for the other.
 //!
-//! One adder serves both signs: a − b = ¬(¬a + b). The distance leaves as its magnitude, ready for the table of weights.
+//! One adder serves both signs: a − b = ¬(¬a + b). The distance leaves as its bin in
+//! the table of weights: words are in bins of 1/256 pixel, Q9.22.
 
 use super::cone_words::{ConeWords, ConeWordsModel};
-use crate::format::{wrap, Q, U};
+use crate::format::{unsigned_cast_integer, Q, U};
 use crate::simulate::{Quiet, Register, Wire};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
@@ -35,32 +36,32 @@ pub struct ConeStages {
     pub rises: Signal<In, Bit>,
     /// Lane of the current pixel.
     pub lane: Signal<In, U<2>>,
-    /// Distance of the current pixel from the line, without its sign.
-    pub magnitude: Signal<Out, Q<1, 30>>,
+    /// Bin of the current pixel's distance from the line, without its sign.
+    pub index: Signal<Out, U<9>>,
     /// The line runs on the side of Y - 1.
     pub below: Signal<Out, Bit>,
     /// Register words.
-    words: Quiet<ConeWords>,
+    words: Quiet<ConeWords<9, 22>>,
     /// D: distance of the column's lane 0.
-    column: Register<Q<1, 30>>,
+    column: Register<Q<9, 22>>,
     /// Distance of the current pixel.
-    pixel: Register<Q<1, 30>>,
+    pixel: Register<Q<9, 22>>,
     /// D is negative.
     negative: Wire<Bit>,
     /// The shared adder subtracts.
     subtracts: Wire<Bit>,
     /// What is added to, or subtracted from.
-    base: Wire<Q<1, 30>>,
+    base: Wire<Q<9, 22>>,
     /// What is added or subtracted.
-    other: Wire<Q<1, 30>>,
+    other: Wire<Q<9, 22>>,
     /// The base, complemented for a subtraction.
-    operand: Wire<Q<1, 30>>,
+    operand: Wire<Q<9, 22>>,
     /// The shared adder.
-    sum: Wire<Q<1, 30>>,
+    sum: Wire<Q<9, 22>>,
     /// The next distance.
-    result: Wire<Q<1, 30>>,
+    result: Wire<Q<9, 22>>,
     /// On the line.
-    zero: Constant<Q<1, 30>>,
+    zero: Constant<Q<9, 22>>,
 }
 
 impl Default for ConeStages {
@@ -75,7 +76,7 @@ impl Default for ConeStages {
             turn: Default::default(),
             rises: Default::default(),
             lane: Default::default(),
-            magnitude: Default::default(),
+            index: Default::default(),
             below: Default::default(),
             words: Default::default(),
             column: Default::default(),
@@ -103,7 +104,7 @@ impl Logic for ConeStages {
             "equation D += stay or D -= step per column; lanes |D|, cos - D, cos + D, 2 cos - |D|"
         );
         comment!("source Abbas 2003, section 3.3: two overlapped stages; equation 3.12 corrected (D -= step, D0 = 0).");
-        comment!("latency One clock from load to magnitude; one distance per clock.");
+        comment!("latency One clock from load to index; one distance per clock.");
         dff_setup!(self, clock, column, pixel);
         self.words.clock.next = self.clock.val();
         self.words.write.next = self.write.val();
@@ -150,16 +151,18 @@ impl Logic for ConeStages {
         }
 
         self.below.next = self.negative.val();
-        self.magnitude.next = self.pixel.q.val();
         if self.pixel.q.val().get_bit(31) {
-            self.magnitude.next = self.zero.val() - self.pixel.q.val();
+            self.index.next =
+                unsigned_cast_integer::<9, 9, 22>(self.zero.val() - self.pixel.q.val());
+        } else {
+            self.index.next = unsigned_cast_integer::<9, 9, 22>(self.pixel.q.val());
         }
     }
 }
 
 crate::clocked!(ConeStages;
     inputs write, word, data, load, run, turn, rises, lane;
-    outputs magnitude, below);
+    outputs index, below);
 
 /// Integer model of [`ConeStages`].
 #[derive(Clone, Copy, Debug, Default)]
@@ -170,10 +173,11 @@ pub struct ConeStagesModel {
 }
 
 impl ConeStagesModel {
-    /// Distance of the current pixel without its sign, in units of 2^−30 pixels.
+    /// Bin of the current pixel's distance.
     #[must_use]
-    pub fn magnitude(&self) -> i64 {
-        wrap(self.pixel.abs(), 32)
+    pub fn index(&self) -> usize {
+        let shift = super::cone_words::FRACTION_BITS - super::TABLE_BITS as usize;
+        (self.pixel.abs() >> shift) as usize & ((2 << super::TABLE_BITS) - 1)
     }
 
     /// The line runs on the side of Y − 1.

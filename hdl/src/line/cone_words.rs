@@ -10,7 +10,7 @@
 //! d = 1/√(dX² + dY²). (Eq. 3.12 as printed flips the sign of D and keeps adding; its listing starts one step late.)
 //!
 //! # Range and rounding
-//! Q1.30. |D| ≤ ½ behind every step; cos φ ∓ D lie in 0.2..=1.5; 2·cos φ − |D| is used where dY > dX/2, so below 1.79.
+//! Q1.30 in pixels, or the same 32 bits in bins of the table, Q9.22 for 8 fraction bits. |D| ≤ ½ behind every step; cos φ ∓ D lie in 0.2..=1.5; 2·cos φ − |D| is used where dY > dX/2, so below 1.79.
 //! cos φ = 1 is the word 2³⁰. Words are rounded to nearest, so D is off by at most k·2^−31 after k columns, 2^−20 pixels for
 //! 2040 columns: a weight differs from that of the true distance only where |D| lies within that of a border between two
 //! entries of the table, and then by one level of 255. The host rounds D of the first column by itself.
@@ -27,9 +27,10 @@ pub const WORDS: usize = 4;
 /// Fraction bits of a distance.
 pub const FRACTION_BITS: usize = 30;
 
-/// Latency: one clock from `write` to the words, one from `load` to the steps.
+/// Distances in bins of a table of weights, a word of Q`M`.`N`: `M` − 1 fraction bits of a pixel before the point, `M` + `N`
+/// = 31. Latency: one clock from `write` to the words, one from `load` to the steps.
 #[derive(LogicBlock, Default)]
-pub struct ConeWords {
+pub struct ConeWords<const M: usize, const N: usize> {
     /// Clock.
     pub clock: Signal<In, Clock>,
     /// Writes `data` to register word `word`.
@@ -41,38 +42,38 @@ pub struct ConeWords {
     /// A new line begins.
     pub load: Signal<In, Bit>,
     /// Distance of the next line's first column.
-    pub first: Signal<Out, Q<1, 30>>,
+    pub first: Signal<Out, Q<M, N>>,
     /// Distance of neighbours in a column.
-    pub cosine: Signal<Out, Q<1, 30>>,
+    pub cosine: Signal<Out, Q<M, N>>,
     /// Twice that.
-    pub cosine_2: Signal<Out, Q<1, 30>>,
+    pub cosine_2: Signal<Out, Q<M, N>>,
     /// Added where the minor coordinate stays.
-    pub stay: Signal<Out, Q<1, 30>>,
+    pub stay: Signal<Out, Q<M, N>>,
     /// Subtracted where it moves.
-    pub step: Signal<Out, Q<1, 30>>,
+    pub step: Signal<Out, Q<M, N>>,
     /// Register bus as a distance.
-    bus: Wire<Q<1, 30>>,
+    bus: Wire<Q<M, N>>,
     /// Next line, distance of neighbours in a column.
-    word_cosine: Register<Q<1, 30>>,
+    word_cosine: Register<Q<M, N>>,
     /// Next line, distance of the first column.
-    word_first: Register<Q<1, 30>>,
+    word_first: Register<Q<M, N>>,
     /// Next line, added where the minor coordinate stays.
-    word_stay: Register<Q<1, 30>>,
+    word_stay: Register<Q<M, N>>,
     /// Next line, subtracted where it moves.
-    word_step: Register<Q<1, 30>>,
+    word_step: Register<Q<M, N>>,
     /// Distance of neighbours in a column.
-    held_cosine: Register<Q<1, 30>>,
+    held_cosine: Register<Q<M, N>>,
     /// Added where the minor coordinate stays.
-    held_stay: Register<Q<1, 30>>,
+    held_stay: Register<Q<M, N>>,
     /// Subtracted where it moves.
-    held_step: Register<Q<1, 30>>,
+    held_step: Register<Q<M, N>>,
     /// Bits of the cosine below its sign.
     cosine_bits: Wire<U<32>>,
     /// The same, one place up.
     doubled: Wire<U<32>>,
 }
 
-impl Logic for ConeWords {
+impl<const M: usize, const N: usize> Logic for ConeWords<M, N> {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("name cone_words");
@@ -93,7 +94,7 @@ impl Logic for ConeWords {
             held_stay,
             held_step
         );
-        self.bus.next = signed_cast_bits::<1, 30, 32>(self.data.val());
+        self.bus.next = signed_cast_bits::<M, N, 32>(self.data.val());
         if self.write.val() {
             if self.word.val() == 6u64.into() {
                 self.word_cosine.d.next = self.bus.val();
@@ -117,13 +118,13 @@ impl Logic for ConeWords {
         self.doubled.next = self.cosine_bits.val() << 1u64;
         self.first.next = self.word_first.q.val();
         self.cosine.next = self.held_cosine.q.val();
-        self.cosine_2.next = signed_cast_bits::<1, 30, 32>(self.doubled.val());
+        self.cosine_2.next = signed_cast_bits::<M, N, 32>(self.doubled.val());
         self.stay.next = self.held_stay.q.val();
         self.step.next = self.held_step.q.val();
     }
 }
 
-crate::clocked!(ConeWords;
+crate::clocked!(ConeWords<M, N>, const M: usize, const N: usize;
     inputs write, word, data, load;
     outputs first, cosine, cosine_2, stay, step);
 

@@ -211,9 +211,7 @@ impl LineModel {
             Weights::One => {}
             Weights::Box(b) => b.clock(line_write, c.load, advance, c.rises),
             Weights::Cone(stages, rom) => {
-                let shift = cone_words::FRACTION_BITS - TABLE_BITS as usize;
-                let index = (stages.magnitude() >> shift) as usize & ((2 << TABLE_BITS) - 1);
-                rom.clock(moving.then_some(index));
+                rom.clock(moving.then_some(stages.index()));
                 stages.clock(line_write, c, self.walk.at.lane);
             }
         }

@@ -35,11 +35,11 @@ pub struct LanePlace<const A: usize> {
     /// Frame address of the pixel, row · width + column.
     pub place: Signal<Out, U<A>>,
     /// The pixel lies in the frame.
-    pub inside: Signal<Out, Bit>,
+    pub in_frame: Signal<Out, Bit>,
     /// Distance from lane 0.
     offset: Wire<Q<11, 0>>,
     /// The pixel lies before lane 0 on the screen.
-    before: Wire<Bit>,
+    backward: Wire<Bit>,
     /// Frame width as an address step.
     row: Wire<U<A>>,
     /// Two rows.
@@ -79,9 +79,9 @@ impl<const A: usize> Default for LanePlace<A> {
             x: Default::default(),
             y: Default::default(),
             place: Default::default(),
-            inside: Default::default(),
+            in_frame: Default::default(),
             offset: Default::default(),
-            before: Default::default(),
+            backward: Default::default(),
             row: Default::default(),
             two_rows: Default::default(),
             step: Default::default(),
@@ -111,15 +111,15 @@ impl<const A: usize> Logic for LanePlace<A> {
         self.two_rows.next = self.row.val() + self.row.val();
         self.offset.next = self.zero.val();
         self.step.next = 0u64.into();
-        self.before.next = self.falling.val();
+        self.backward.next = self.falling.val();
         if self.lane.val() == 1u64.into() {
             self.offset.next = self.one.val();
         } else if self.lane.val() == 2u64.into() {
             self.offset.next = self.one.val();
-            self.before.next = !self.falling.val();
+            self.backward.next = !self.falling.val();
         } else if self.lane.val() == 3u64.into() {
             self.offset.next = self.two.val();
-            self.before.next = self.falling.val() ^ self.below.val();
+            self.backward.next = self.falling.val() ^ self.below.val();
         }
         if self.lane.val() == 3u64.into() {
             self.step.next = self.two_rows.val();
@@ -132,7 +132,7 @@ impl<const A: usize> Logic for LanePlace<A> {
                 self.step.next = self.one_word.val();
             }
         }
-        if self.before.val() {
+        if self.backward.val() {
             self.across.next = self.minor.val() - self.offset.val();
             self.place.next = self.address.val() - self.step.val();
         } else {
@@ -147,7 +147,7 @@ impl<const A: usize> Logic for LanePlace<A> {
         }
         self.x.next = unsigned_cast_integer::<11, 11, 0>(self.column.val());
         self.y.next = unsigned_cast_integer::<11, 11, 0>(self.line.val());
-        self.inside.next = !(self.column.val() < self.zero.val())
+        self.in_frame.next = !(self.column.val() < self.zero.val())
             && !(self.line.val() < self.zero.val())
             && (self.column.val() < self.frame_width.val())
             && (self.line.val() < self.frame_height.val());
@@ -156,7 +156,7 @@ impl<const A: usize> Logic for LanePlace<A> {
 
 crate::ports!(LanePlace<A>, const A: usize;
     inputs lane, below, major, minor, address, steep, falling, frame_width, frame_height;
-    outputs x, y, place, inside);
+    outputs x, y, place, in_frame);
 
 /// A pixel's place, as [`LanePlace`] gives it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -43,8 +43,8 @@ pub struct LineWalk<const A: usize> {
     pub write: Signal<In, Bit>,
     /// Register word.
     pub word: Signal<In, U<4>>,
-    /// Register bus.
-    pub data: Signal<In, U<32>>,
+    /// Register bus; its low 24 bits are enough.
+    pub data: Signal<In, U<24>>,
     /// The register words are complete; ignored while `load_ready` is low.
     pub start: Signal<In, Bit>,
     /// Keeps a new line from being loaded (the memory is being cleared).
@@ -314,7 +314,7 @@ impl<const A: usize> Logic for LineWalk<A> {
                 self.word_minor.d.next = self.high.val();
             }
             if self.word.val() == 2u64.into() {
-                self.word_address.d.next = bit_cast_u::<A, 32>(self.data.val());
+                self.word_address.d.next = bit_cast_u::<A, 24>(self.data.val());
             }
             if self.word.val() == 3u64.into() {
                 self.word_error.d.next = self.error_word.val();

@@ -31,6 +31,8 @@ pub struct Chebyshev {
     pub run: Signal<In, Bit>,
     /// Cosine at the current pixel.
     pub value: Signal<Out, Q<1, 42>>,
+    /// The same in units of 1/65536, rounded down.
+    pub level: Signal<Out, Q<17, 0>>,
     /// Next span, value at the first pixel.
     word_value: Register<Q<1, 30>>,
     /// Next span, value at the pixel before.
@@ -40,7 +42,7 @@ pub struct Chebyshev {
     /// Value at the current pixel.
     total: Register<Q<1, 42>>,
     /// Value at the pixel before.
-    before: Register<Q<1, 42>>,
+    behind: Register<Q<1, 42>>,
     /// Multiplier.
     twice: Register<Q<2, 22>>,
     /// Register bus as a word.
@@ -51,6 +53,10 @@ pub struct Chebyshev {
     operand: Wire<Q<1, 23>>,
     /// Value times multiplier.
     product: Wire<Q<1, 42>>,
+    /// Value with 16 fraction bits.
+    coarse: Wire<Q<1, 16>>,
+    /// Its bits.
+    coarse_bits: Wire<U<18>>,
 }
 
 impl Logic for Chebyshev {
@@ -70,7 +76,7 @@ impl Logic for Chebyshev {
             word_before,
             word_twice,
             total,
-            before,
+            behind,
             twice
         );
         self.bus.next = signed_cast_bits::<1, 30, 32>(self.data.val());
@@ -90,19 +96,22 @@ impl Logic for Chebyshev {
         self.product.next = signed_cast_product::<1, 42>(self.operand.val() * self.twice.q.val());
         if self.take.val() {
             self.total.d.next = signed_cast_align::<1, 42, 1, 30>(self.word_value.q.val());
-            self.before.d.next = signed_cast_align::<1, 42, 1, 30>(self.word_before.q.val());
+            self.behind.d.next = signed_cast_align::<1, 42, 1, 30>(self.word_before.q.val());
             self.twice.d.next = self.word_twice.q.val();
         } else if self.run.val() {
-            self.total.d.next = self.product.val() - self.before.q.val();
-            self.before.d.next = self.total.q.val();
+            self.total.d.next = self.product.val() - self.behind.q.val();
+            self.behind.d.next = self.total.q.val();
         }
+        self.coarse.next = signed_cast_align::<1, 16, 1, 42>(self.total.q.val());
+        self.coarse_bits.next = self.coarse.val().get_bits::<18>(0);
         self.value.next = self.total.q.val();
+        self.level.next = signed_cast_bits::<17, 0, 18>(self.coarse_bits.val());
     }
 }
 
 crate::clocked!(Chebyshev;
     inputs write, word, data, take, run;
-    outputs value);
+    outputs value, level);
 
 /// Integer model of [`Chebyshev`].
 #[derive(Clone, Copy, Debug, Default)]

@@ -15,11 +15,13 @@
 pub mod angle;
 pub mod channel;
 pub mod chebyshev;
+pub mod chord;
 pub mod clamp;
 pub mod loader;
 pub mod place;
 pub mod power;
 pub mod stream;
+pub mod stream_model;
 pub mod swing;
 pub mod table_memory;
 

@@ -9,20 +9,13 @@
 //! x is taken with 25 fraction bits, of which 8 address the table when s = 7 and 10 go along the chord. A word is
 //! value\[31:14\], 18 bits in units of 2^−17, and fall\[13:0\] in the same units: 17/256 of full scale is the most that
 //! a chord falls by. Nothing overflows: the value is at least as large as the fall (the host takes care; the words of
-//! [`chord`] are), and the difference of two words of 18 bits modulo 2^18 is their difference.
+//! [`super::chord::chord`] are), and the difference of two words of 18 bits modulo 2^18 is their difference.
 
 use super::table_memory::{TableMemory, TableMemoryModel};
 use crate::format::{bit_cast_product, bit_cast_u, mask, signed_cast_align, Q, U};
 use crate::simulate::{Quiet, Register, Wire};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
-
-/// Chords of a table.
-pub const CHORDS: usize = 256;
-/// Largest stretch.
-pub const LARGEST_SHIFT: u32 = 7;
-/// 1.0 in a table word.
-pub const WORD_UNIT: f64 = 131_072.0;
 
 /// Latency: three clocks with `go`.
 #[derive(LogicBlock)]
@@ -84,11 +77,11 @@ pub struct PowerTable {
     /// Fall up to x.
     fallen_whole: Wire<U<18>>,
     /// Value at the begin of the interval.
-    begin: Wire<U<18>>,
+    origin: Wire<U<18>>,
     /// Value at x.
     power: Wire<U<18>>,
     /// Chords.
-    table: Quiet<TableMemory<10, 32>>,
+    chords: Quiet<TableMemory<10, 32>>,
     /// 1.
     one: Constant<Q<2, 25>>,
     /// No light.
@@ -128,9 +121,9 @@ impl Default for PowerTable {
             fall: Default::default(),
             fallen: Default::default(),
             fallen_whole: Default::default(),
-            begin: Default::default(),
+            origin: Default::default(),
             power: Default::default(),
-            table: Default::default(),
+            chords: Default::default(),
             one: Constant::new(Q::from_code(1 << 25)),
             zero: Constant::new(U::new(0)),
             nothing: Constant::new(U::new(0)),
@@ -182,17 +175,17 @@ impl Logic for PowerTable {
             | bit_cast_u::<10, 2>(self.interval_material.q.val());
 
         // The chord.
-        self.table.clock.next = self.clock.val();
-        self.table.read.next = self.go.val();
-        self.table.read_address.next = self.table_address.val();
-        self.table.write.next = self.write.val();
-        self.table.write_address.next = self.write_address.val();
-        self.table.write_data.next = self.write_data.val();
-        self.fall.next = self.table.read_data.val().get_bits::<14>(0);
-        self.begin.next = self.table.read_data.val().get_bits::<18>(14);
+        self.chords.clock.next = self.clock.val();
+        self.chords.read.next = self.go.val();
+        self.chords.read_address.next = self.table_address.val();
+        self.chords.write.next = self.write.val();
+        self.chords.write_address.next = self.write_address.val();
+        self.chords.write_data.next = self.write_data.val();
+        self.fall.next = self.chords.read_data.val().get_bits::<14>(0);
+        self.origin.next = self.chords.read_data.val().get_bits::<18>(14);
         self.fallen.next = bit_cast_product::<24>(self.fall.val() * self.along_second.q.val());
         self.fallen_whole.next = bit_cast_u::<18, 14>(self.fallen.val().get_bits::<14>(10));
-        self.power.next = self.begin.val() - self.fallen_whole.val();
+        self.power.next = self.origin.val() - self.fallen_whole.val();
 
         if self.go.val() {
             self.interval.d.next = self.wide_4.val().get_bits::<8>(17);
@@ -218,7 +211,7 @@ crate::clocked!(PowerTable;
 /// Integer model of [`PowerTable`].
 #[derive(Clone, Debug)]
 pub struct PowerTableModel {
-    table: TableMemoryModel,
+    chords: TableMemoryModel,
     first: (u64, u64, bool),
     second: (u64, bool),
     third: u64,
@@ -227,7 +220,7 @@ pub struct PowerTableModel {
 impl Default for PowerTableModel {
     fn default() -> Self {
         Self {
-            table: TableMemoryModel::new(10, 32),
+            chords: TableMemoryModel::new(10, 32),
             first: (0, 0, false),
             second: (0, false),
             third: 0,
@@ -253,7 +246,10 @@ impl PowerTableModel {
         let address = self.first.0;
         if go {
             let (along, beyond) = self.second;
-            let (begin, fall) = (self.table.read_data >> 14, self.table.read_data & mask(14));
+            let (begin, fall) = (
+                self.chords.read_data >> 14,
+                self.chords.read_data & mask(14),
+            );
             let power = begin.wrapping_sub((fall * along) >> 10) & mask(18);
             self.third = if beyond { 0 } else { power >> 1 };
             self.second = (self.first.1, self.first.2);
@@ -265,36 +261,14 @@ impl PowerTableModel {
                 wide >> 25 != 0,
             );
         }
-        self.table.clock(go.then_some(address), write);
+        self.chords.clock(go.then_some(address), write);
     }
-}
-
-/// The stretch for an exponent.
-#[must_use]
-pub fn shift_of(n: f64) -> u32 {
-    (0..=LARGEST_SHIFT)
-        .rev()
-        .find(|s| f64::from(1u32 << s) <= n / 8.5)
-        .unwrap_or(0)
-}
-
-/// The table word of interval `index` for exponent `n`.
-#[must_use]
-pub fn chord(n: f64, index: usize) -> u64 {
-    let step = 1.0 / (CHORDS as f64 * f64::from(1u32 << shift_of(n)));
-    let curve = |i: f64| (1.0 - i * step).max(0.0).powf(n);
-    let i = index as f64;
-    let (begin, end) = (curve(i), curve(i + 1.0));
-    // The chord lies above the curve, farthest about the middle; half of that is taken off.
-    let above = ((begin + end) / 2.0 - curve(i + 0.5)) / 2.0;
-    let word = |v: f64| ((v - above).max(0.0) * WORD_UNIT).round() as u64;
-    let (from, to) = (word(begin), word(end));
-    from << 14 | (from.saturating_sub(to) & mask(14))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lit::chord::{chord, shift_of, CHORDS};
     use crate::lit::UNIT;
 
     /// The factor for one value, through all stages.

@@ -4,15 +4,10 @@
 //! A fragment enters with its place and material in the stage of the pixel registers; its factors arrive three stages
 //! later, its colours are complete after five, and there it enters the pixel stream. All stages move together.
 
-use super::channel::{LitChannel, LitChannelModel};
+use super::channel::LitChannel;
 use super::place::PlaceStage;
-use super::{COLOUR_STAGES, FACTOR_STAGES};
-use crate::depth::z_buffer::{ZBufferInputs, ZBufferModel};
 use crate::format::{Q, U};
-use crate::shade::model::CoreOutputs;
 use crate::shade::pixel_stream::PixelStream;
-use crate::shade::saturate::saturate_model;
-use crate::shade::DEPTH_BIAS;
 use crate::simulate::{Quiet, Register, Wire};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
@@ -75,7 +70,7 @@ pub struct LitStream<const A: usize> {
     /// Material, second stage.
     material_second: Register<U<2>>,
     /// Cell of the colour that is written.
-    cell: Wire<U<4>>,
+    colour_cell: Wire<U<4>>,
     /// Its material.
     colour_material: Wire<U<2>>,
     /// The colour.
@@ -134,7 +129,7 @@ impl<const A: usize> LitStream<A> {
             done: Default::default(),
             material_first: Default::default(),
             material_second: Default::default(),
-            cell: Default::default(),
+            colour_cell: Default::default(),
             colour_material: Default::default(),
             colour: Default::default(),
             moves: Default::default(),
@@ -167,7 +162,7 @@ impl<const A: usize> Logic for LitStream<A> {
             self.material_first.d.next = self.material.val();
             self.material_second.d.next = self.material_first.q.val();
         }
-        self.cell.next = self.data.val().get_bits::<4>(26);
+        self.colour_cell.next = self.data.val().get_bits::<4>(26);
         self.colour_material.next = self.data.val().get_bits::<2>(30);
         self.colour.next = self.data.val().get_bits::<18>(0);
 
@@ -217,11 +212,11 @@ impl<const A: usize> Logic for LitStream<A> {
         self.red_part.diffuse.next = self.diffuse.val();
         self.red_part.highlight.next = self.highlight.val();
         self.red_part.write_ambient.next =
-            self.write_colour.val() && (self.cell.val() == 0u64.into());
+            self.write_colour.val() && (self.colour_cell.val() == 0u64.into());
         self.red_part.write_diffuse.next =
-            self.write_colour.val() && (self.cell.val() == 1u64.into());
+            self.write_colour.val() && (self.colour_cell.val() == 1u64.into());
         self.red_part.write_highlight.next =
-            self.write_colour.val() && (self.cell.val() == 2u64.into());
+            self.write_colour.val() && (self.colour_cell.val() == 2u64.into());
         self.red_part.write_material.next = self.colour_material.val();
         self.red_part.colour.next = self.colour.val();
 
@@ -231,11 +226,11 @@ impl<const A: usize> Logic for LitStream<A> {
         self.green_part.diffuse.next = self.diffuse.val();
         self.green_part.highlight.next = self.highlight.val();
         self.green_part.write_ambient.next =
-            self.write_colour.val() && (self.cell.val() == 3u64.into());
+            self.write_colour.val() && (self.colour_cell.val() == 3u64.into());
         self.green_part.write_diffuse.next =
-            self.write_colour.val() && (self.cell.val() == 4u64.into());
+            self.write_colour.val() && (self.colour_cell.val() == 4u64.into());
         self.green_part.write_highlight.next =
-            self.write_colour.val() && (self.cell.val() == 5u64.into());
+            self.write_colour.val() && (self.colour_cell.val() == 5u64.into());
         self.green_part.write_material.next = self.colour_material.val();
         self.green_part.colour.next = self.colour.val();
 
@@ -245,11 +240,11 @@ impl<const A: usize> Logic for LitStream<A> {
         self.blue_part.diffuse.next = self.diffuse.val();
         self.blue_part.highlight.next = self.highlight.val();
         self.blue_part.write_ambient.next =
-            self.write_colour.val() && (self.cell.val() == 6u64.into());
+            self.write_colour.val() && (self.colour_cell.val() == 6u64.into());
         self.blue_part.write_diffuse.next =
-            self.write_colour.val() && (self.cell.val() == 7u64.into());
+            self.write_colour.val() && (self.colour_cell.val() == 7u64.into());
         self.blue_part.write_highlight.next =
-            self.write_colour.val() && (self.cell.val() == 8u64.into());
+            self.write_colour.val() && (self.colour_cell.val() == 8u64.into());
         self.blue_part.write_material.next = self.colour_material.val();
         self.blue_part.colour.next = self.colour.val();
         self.stream.clock.next = self.clock.val();
@@ -288,162 +283,3 @@ crate::clocked!(LitStream<A>, const A: usize;
     inputs clear, ready, walking, fragment, fragment_x, fragment_y, address, fragment_depth, material, diffuse,
         highlight, write_colour, data;
     outputs go, clearing, valid, x, y, red, green, blue, depth, busy, done);
-
-/// A fragment on its way, as the model sees it.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Fragment {
-    /// There is one.
-    pub held: bool,
-    /// Ordinal of its span; known to the model only.
-    pub ordinal: u64,
-    /// Column.
-    pub x: u64,
-    /// Row.
-    pub y: u64,
-    /// Frame address.
-    pub address: u64,
-    /// Depth less 32768, as it is walked.
-    pub depth: i64,
-}
-
-/// What [`LitStream`] sees in one clock.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct LitStreamInputs {
-    /// Clears the depth memory.
-    pub clear: bool,
-    /// The offered pixel is taken.
-    pub ready: bool,
-    /// A span is waiting or being drawn.
-    pub walking: bool,
-    /// What arrives.
-    pub fragment: Fragment,
-    /// Its material.
-    pub material: u64,
-    /// Diffuse factor and highlight of the fragment three stages before.
-    pub factors: [u64; 2],
-    /// A colour that is written.
-    pub colour: Option<u64>,
-}
-
-#[derive(Clone, Copy, Debug, Default)]
-struct Pixel {
-    fragment: Fragment,
-    rgb: [u8; 3],
-    depth: u16,
-}
-
-/// Integer model of [`LitStream`].
-#[derive(Clone, Debug)]
-pub struct LitStreamModel {
-    stages: [Fragment; COLOUR_STAGES],
-    materials: [u64; FACTOR_STAGES - 1],
-    channels: [LitChannelModel; 3],
-    z_buffer: ZBufferModel,
-    drawn: Pixel,
-    out: Pixel,
-    out_valid: bool,
-    was_busy: bool,
-}
-
-impl LitStreamModel {
-    /// A stream with frame addresses of `address_bits` and a depth memory of `pixels` words.
-    #[must_use]
-    pub fn new(address_bits: usize, pixels: usize) -> Self {
-        Self {
-            stages: Default::default(),
-            materials: Default::default(),
-            channels: Default::default(),
-            z_buffer: ZBufferModel::new(address_bits, pixels),
-            drawn: Pixel::default(),
-            out: Pixel::default(),
-            out_valid: false,
-            was_busy: false,
-        }
-    }
-
-    /// Whether the stages move.
-    #[must_use]
-    pub fn go(&self, ready: bool) -> bool {
-        !self.out_valid || ready
-    }
-
-    /// Whether the depth memory is being cleared.
-    #[must_use]
-    pub fn clearing(&self) -> bool {
-        self.z_buffer.clearing()
-    }
-
-    fn busy(&self, walking: bool) -> bool {
-        walking
-            || self.stages.iter().any(|s| s.held)
-            || self.z_buffer.waiting
-            || self.z_buffer.clearing()
-            || self.out_valid
-    }
-
-    /// The outputs of the current state, but for `load_ready`.
-    #[must_use]
-    pub fn outputs(&self, walking: bool) -> CoreOutputs {
-        let busy = self.busy(walking);
-        CoreOutputs {
-            load_ready: false,
-            valid: self.out_valid,
-            x: self.out.fragment.x as u16,
-            y: self.out.fragment.y as u16,
-            rgb: self.out.rgb,
-            depth: self.out.depth,
-            busy,
-            done: self.was_busy && !busy,
-        }
-    }
-
-    /// Ordinal of the span that the offered pixel belongs to.
-    #[must_use]
-    pub fn ordinal(&self) -> u64 {
-        self.out.fragment.ordinal
-    }
-
-    /// One clock.
-    pub fn clock(&mut self, i: &LitStreamInputs) {
-        let busy = self.busy(i.walking);
-        let go = self.go(i.ready);
-        let last = self.stages[COLOUR_STAGES - 1];
-        let materials = self.materials;
-        if go {
-            self.out_valid = self.z_buffer.pass();
-            self.out = Pixel {
-                depth: self.z_buffer.depth,
-                ..self.drawn
-            };
-            self.drawn = Pixel {
-                fragment: last,
-                rgb: [0, 1, 2].map(|c| saturate_model(self.channels[c].value())),
-                depth: 0,
-            };
-            self.stages.rotate_right(1);
-            self.stages[0] = i.fragment;
-            self.materials = [i.material, materials[0]];
-        }
-        self.z_buffer.clock(&ZBufferInputs {
-            go,
-            clear: i.clear && !busy,
-            fragment: last.held,
-            address: last.address,
-            depth: depth_word(last.depth),
-        });
-        let write = |channel: u64| {
-            let data = i.colour?;
-            let (material, cell) = (data >> 30 & 3, data >> 26 & 15);
-            (cell / 3 == channel).then_some(((cell % 3) as usize, material, data & 0x3_ffff))
-        };
-        for (channel, model) in (0..).zip(&mut self.channels) {
-            model.clock(go, materials[1], i.factors, write(channel));
-        }
-        self.was_busy = busy;
-    }
-}
-
-/// The depth word of a walked depth less its bias.
-fn depth_word(walked: i64) -> u16 {
-    (walked + DEPTH_BIAS) as u16
-}

@@ -45,6 +45,8 @@ pub struct Swing {
     pub run: Signal<In, Bit>,
     /// Cosine at the current pixel.
     pub value: Signal<Out, Q<1, 42>>,
+    /// The same in units of 1/65536, rounded down.
+    pub level: Signal<Out, Q<17, 0>>,
     /// Next span, value at the first pixel.
     word_value: Register<Q<1, 30>>,
     /// Next span, change up to it.
@@ -95,6 +97,10 @@ pub struct Swing {
     drop: Wire<Q<1, 42>>,
     /// Change up to the next pixel.
     next_change: Wire<Q<1, 42>>,
+    /// Value with 16 fraction bits.
+    coarse: Wire<Q<1, 16>>,
+    /// Its bits.
+    coarse_bits: Wire<U<18>>,
 }
 
 impl Logic for Swing {
@@ -167,13 +173,16 @@ impl Logic for Swing {
             self.total.d.next = self.total.q.val() + self.next_change.val();
             self.change.d.next = self.next_change.val();
         }
+        self.coarse.next = signed_cast_align::<1, 16, 1, 42>(self.total.q.val());
+        self.coarse_bits.next = self.coarse.val().get_bits::<18>(0);
         self.value.next = self.total.q.val();
+        self.level.next = signed_cast_bits::<17, 0, 18>(self.coarse_bits.val());
     }
 }
 
 crate::clocked!(Swing;
     inputs write, word, data, take, run;
-    outputs value);
+    outputs value, level);
 
 /// Integer model of [`Swing`].
 #[derive(Clone, Copy, Debug, Default)]

@@ -2,7 +2,7 @@
 //! cosine, and an error that grows with the square of the span. It exists so that this can be seen in hardware; all but
 //! [`crate::lit::chebyshev`] is that of [`super::slerp`].
 
-use crate::format::{signed_cast_align, signed_cast_bits, Q, U};
+use crate::format::U;
 use crate::interpolate::linear_span::LinearSpan;
 use crate::lit::chebyshev::Chebyshev;
 use crate::lit::clamp::ClampFactor;
@@ -64,10 +64,6 @@ pub struct ChebyshevCore<const A: usize> {
     selects_diffuse: Wire<Bit>,
     /// The highlight is selected.
     selects_highlight: Wire<Bit>,
-    /// N.L in units of 1/65536.
-    light_unit: Wire<Q<1, 16>>,
-    /// Its bits.
-    light_bits: Wire<U<18>>,
     /// Register file of the shell and the walk along a span.
     shell: Quiet<SpanShell<A>>,
     /// Strobes of the tables.
@@ -114,8 +110,6 @@ impl<const A: usize> ChebyshevCore<A> {
             selects_shell: Default::default(),
             selects_diffuse: Default::default(),
             selects_highlight: Default::default(),
-            light_unit: Default::default(),
-            light_bits: Default::default(),
             shell: Default::default(),
             loader: Default::default(),
             depth_value: Default::default(),
@@ -168,11 +162,9 @@ impl<const A: usize> Logic for ChebyshevCore<A> {
         self.light.data.next = self.data.val();
         self.light.take.next = self.shell.take.val();
         self.light.run.next = self.shell.run.val();
-        self.light_unit.next = signed_cast_align::<1, 16, 1, 42>(self.light.value.val());
-        self.light_bits.next = self.light_unit.val().get_bits::<18>(0);
         self.diffuse.clock.next = self.clock.val();
         self.diffuse.go.next = self.stream.go.val();
-        self.diffuse.value.next = signed_cast_bits::<17, 0, 18>(self.light_bits.val());
+        self.diffuse.value.next = self.light.level.val();
 
         // N.H and its power.
         self.half.clock.next = self.clock.val();

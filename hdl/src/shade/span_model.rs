@@ -9,7 +9,7 @@ use crate::lit::chebyshev::ChebyshevModel;
 use crate::lit::clamp::ClampFactorModel;
 use crate::lit::loader::{self, TableLoaderModel};
 use crate::lit::power::PowerTableModel;
-use crate::lit::stream::{Fragment, LitStreamInputs, LitStreamModel};
+use crate::lit::stream_model::{Fragment, LitStreamInputs, LitStreamModel};
 use crate::lit::swing::SwingModel;
 use crate::lit::table_memory::TableMemoryModel;
 use crate::raster::span_shell::{SpanShellInputs, SpanShellModel};

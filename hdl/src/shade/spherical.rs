@@ -80,9 +80,9 @@ pub struct SphericalCore<
     /// The highlight is selected.
     selects_highlight: Wire<Bit>,
     /// A table word on the register bus.
-    table_word: Wire<U<K>>,
+    bus_word: Wire<U<K>>,
     /// Address of the highlight table.
-    highlight_address: Wire<U<H>>,
+    power_place: Wire<U<H>>,
     /// Material, first stage.
     material_first: Register<U<2>>,
     /// Register file of the shell and the walk along a span.
@@ -137,8 +137,8 @@ impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: us
             selects_shell: Default::default(),
             selects_diffuse: Default::default(),
             selects_highlight: Default::default(),
-            table_word: Default::default(),
-            highlight_address: Default::default(),
+            bus_word: Default::default(),
+            power_place: Default::default(),
             material_first: Default::default(),
             shell: Default::default(),
             loader: Default::default(),
@@ -198,13 +198,13 @@ impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: us
         self.diffuse.data.next = self.data.val();
         self.diffuse.take.next = self.shell.take.val();
         self.diffuse.run.next = self.shell.run.val();
-        self.table_word.next = self.data.val().get_bits::<K>(0);
+        self.bus_word.next = self.data.val().get_bits::<K>(0);
         self.cosines.clock.next = self.clock.val();
         self.cosines.read.next = self.stream.go.val();
         self.cosines.read_address.next = self.diffuse.address.val();
         self.cosines.write.next = self.loader.write_cosine.val();
         self.cosines.write_address.next = self.loader.address.val().get_bits::<K>(0);
-        self.cosines.write_data.next = self.table_word.val();
+        self.cosines.write_data.next = self.bus_word.val();
         self.diffuse.table_word.next = self.cosines.read_data.val();
 
         // Highlight.
@@ -218,14 +218,14 @@ impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: us
         if self.stream.go.val() {
             self.material_first.d.next = self.shell.material.val();
         }
-        self.highlight_address.next = (bit_cast_u::<H, K>(self.highlight.address.val()) << 2u64)
+        self.power_place.next = (bit_cast_u::<H, K>(self.highlight.address.val()) << 2u64)
             | bit_cast_u::<H, 2>(self.material_first.q.val());
         self.highlights.clock.next = self.clock.val();
         self.highlights.read.next = self.stream.go.val();
-        self.highlights.read_address.next = self.highlight_address.val();
+        self.highlights.read_address.next = self.power_place.val();
         self.highlights.write.next = self.loader.write_highlight.val();
         self.highlights.write_address.next = self.loader.address.val().get_bits::<H>(0);
-        self.highlights.write_data.next = self.table_word.val();
+        self.highlights.write_data.next = self.bus_word.val();
         self.highlight.table_word.next = self.highlights.read_data.val();
 
         // Colours and pixels.

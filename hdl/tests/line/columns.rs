@@ -28,10 +28,10 @@ fn shown(c: Column) -> (i64, i64, u64, bool, bool, bool, [u8; 4]) {
     (major, minor, address, steep, falling, c.below, c.weights)
 }
 
-fn clock_by_clock<const F: usize, const I: usize>(seed: u64, clocks: usize) {
+fn clock_by_clock<const I: usize, const N: usize>(seed: u64, clocks: usize) {
     let mut r = StdRng::seed_from_u64(seed);
-    let mut s = Simulator::new(ConeColumns::<17, F, I>::default()).unwrap();
-    let mut m = ConeColumnsModel::new(17, F as u32);
+    let mut s = Simulator::new(ConeColumns::<17, I, N>::default()).unwrap();
+    let mut m = ConeColumnsModel::new(17, I as u32 - 1);
     let mut queue: Vec<(u8, u64)> = vec![];
     let mut columns = 0u64;
     for clock in 0..clocks {
@@ -69,7 +69,7 @@ fn clock_by_clock<const F: usize, const I: usize>(seed: u64, clocks: usize) {
             d.steep.val(),
             d.falling.val(),
             d.below.val(),
-            [&d.middle, &d.after, &d.before, &d.fourth].map(|w| w.val().get() as u8),
+            [&d.middle, &d.plus, &d.minus, &d.fourth].map(|w| w.val().get() as u8),
         );
         assert_eq!(got, shown(m.column()), "clock {clock}");
         let flags = (d.load_ready.val(), d.valid.val(), d.busy.val());
@@ -86,9 +86,9 @@ fn the_unit_is_its_model() {
     } else {
         200_000
     };
-    clock_by_clock::<8, 9>(1, clocks);
-    clock_by_clock::<3, 4>(2, clocks / 4);
-    clock_by_clock::<4, 5>(3, clocks / 4);
+    clock_by_clock::<9, 22>(1, clocks);
+    clock_by_clock::<4, 27>(2, clocks / 4);
+    clock_by_clock::<5, 26>(3, clocks / 4);
 }
 
 /// The columns of lines, and the clocks from the first to the last.

@@ -139,7 +139,7 @@ fn place() {
             x: d.x.val().get(),
             y: d.y.val().get(),
             address: d.place.val().get(),
-            inside: d.inside.val(),
+            inside: d.in_frame.val(),
         };
         assert_eq!(
             got,
@@ -236,8 +236,8 @@ fn cone_stages() {
         s.clock();
         m.clock(write, c, lane);
         assert_eq!(
-            s.design.magnitude.val().code(),
-            m.magnitude(),
+            s.design.index.val().get(),
+            m.index() as u64,
             "clock {clock}"
         );
         assert_eq!(s.design.below.val(), m.below(), "clock {clock}");
@@ -290,7 +290,7 @@ fn blend() {
         let [old, new, weight] = [byte(&mut r), byte(&mut r), byte(&mut r)];
         s.design.go.next = go;
         s.design.old.next = U::new(u64::from(old));
-        s.design.new.next = U::new(u64::from(new));
+        s.design.target.next = U::new(u64::from(new));
         s.design.weight.next = U::new(u64::from(weight));
         s.clock();
         if go {

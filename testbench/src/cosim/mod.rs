@@ -64,7 +64,7 @@ pub enum CosimError {
     #[error(transparent)]
     Refused(#[from] Refused),
     /// The method has no core.
-    #[error("method '{0}' has no core; cores: {cores}", cores = CORES.map(|c| c.0).join(", "))]
+    #[error("method '{0}' has no core; methods with a core: {cores}", cores = methods_with_core())]
     NoCore(Method),
     /// Edges and faces.
     #[error("object[{wireframe}] of the scene is a wireframe and object[{shaded}] is shaded, and no core draws both; expected the same draw for every object")]
@@ -108,6 +108,10 @@ pub enum CosimError {
     /// A temporary directory.
     #[error("temporary directory: {0}")]
     Scratch(std::io::Error),
+}
+
+fn methods_with_core() -> String {
+    CORES.map(|(_, _, method)| method.name()).join(", ")
 }
 
 /// The core for a method and frame.

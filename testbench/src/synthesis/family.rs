@@ -64,7 +64,10 @@ impl Family {
         match self {
             Self::Ice40 => format!("synth_ice40 -top {top}"),
             Self::Ecp5 => format!("synth_ecp5 -top {top}"),
-            _ => format!("synth_xilinx -family {self} -top {top} -flatten -noiopad -noclkbuf"),
+            // Yosys 0.23 leaves out the clock enable of shift registers that it makes look-up tables of.
+            _ => {
+                format!("synth_xilinx -family {self} -top {top} -flatten -noiopad -noclkbuf -nosrl")
+            }
         }
     }
 

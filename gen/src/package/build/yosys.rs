@@ -19,9 +19,10 @@ pub fn script(s: &Sources, target: Option<Target>) -> String {
         .map(|f| format!("read_verilog {f}\n"))
         .collect();
     // Without pads and clock buffers a core is counted as the part of a design that it is. Lattice's commands
-    // flatten of themselves and leave pads to the placer.
+    // flatten of themselves and leave pads to the placer. Shift registers stay flip-flops: Yosys 0.23 leaves out the
+    // clock enable of those that it makes look-up tables of, and pixels that wait for their colours would not wait.
     let bare = if synthesis.starts_with("synth_xilinx") {
-        " -flatten -noiopad -noclkbuf"
+        " -flatten -noiopad -noclkbuf -nosrl"
     } else {
         ""
     };

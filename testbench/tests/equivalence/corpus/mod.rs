@@ -3,6 +3,7 @@
 mod buses;
 mod casts;
 mod choices;
+mod lines;
 mod memories;
 mod operators;
 mod positions;
@@ -27,6 +28,7 @@ fn cases() -> Vec<Case> {
         structure::cases(),
         buses::cases(),
         memories::cases(),
+        lines::cases(),
     ]
     .into_iter()
     .flatten()
