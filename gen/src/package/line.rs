@@ -254,14 +254,14 @@ pub fn measured(filter: Filter) -> [Measured; 3] {
             row("spartan-7", 763, 575, 0, 0),
         ],
         Filter::Box => [
-            row("spartan-3", 1352, 997, 114, 3),
-            row("spartan-6", 1020, 835, 114, 3),
-            row("spartan-7", 1038, 835, 57, 3),
+            row("spartan-3", 1389, 997, 114, 3),
+            row("spartan-6", 1035, 835, 114, 3),
+            row("spartan-7", 1050, 835, 57, 3),
         ],
         Filter::Cone => [
-            row("spartan-3", 0, 0, 0, 0),
-            row("spartan-6", 0, 0, 0, 0),
-            row("spartan-7", 0, 0, 0, 0),
+            row("spartan-3", 2088, 1159, 115, 3),
+            row("spartan-6", 1200, 1005, 114, 3),
+            row("spartan-7", 1199, 1005, 57, 3),
         ],
     }
 }

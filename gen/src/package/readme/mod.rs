@@ -25,6 +25,10 @@ pub fn readme(m: &Manifest, core: &Core, target: Option<Target>, example: &str) 
         Order::Line(_) => "lines",
         Order::Span(kind) => super::span_registers::about(kind),
     };
+    let (what, walks) = match core.order {
+        Order::Span(_) => ("span", "walks the span"),
+        _ => ("triangle", "walks the triangle row by row"),
+    };
     let place = match (&m.target, &m.board) {
         (Some(part), Some(board)) => {
             format!(" Its constraints and scripts are for {part} on the board {board}.")
@@ -35,8 +39,8 @@ pub fn readme(m: &Manifest, core: &Core, target: Option<Target>, example: &str) 
     let about = match core.order {
         Order::Line(filter) => line::about(filter, m.frame),
         _ => format!(
-            "A triangle shading core in Verilog, for frames of {columns}x{rows} pixels. A host writes the words of a \
-             triangle into registers and says `start`; the core walks the triangle row by row, one pixel per clock, \
+            "A {what} shading core in Verilog, for frames of {columns}x{rows} pixels. A host writes the words of a \
+             {what} into registers and says `start`; the core {walks}, one pixel per clock, \
              with {colour}, tests each pixel against its depth memory and hands over those that are visible."
         ),
     };

@@ -105,7 +105,7 @@ impl Logic for PhongColour {
         comment!("title The reflection model of one light, per pixel.");
         comment!("equation colour = ambient + diffuse * max(0, N.L) + specular * max(0, N.H)^n in each channel");
         comment!(
-            "source Phong 1975 with the half-way vector of Blinn 1977; Abbas 2003, equation 5.1."
+            "source Phong 1975 with the half-way vector of Blinn 1977; Abbas 2003, chapter 5."
         );
         comment!("latency Six clocks from light and place to the colour; one colour per clock.");
         dff_setup!(self, clock, interval, light_1, light_2, light_3, light_4);

@@ -24,7 +24,7 @@
 //! | cut of the fall (upwards), then of the power to 17 bits (downwards) | 2^−17 |
 //!
 //! Together at most [`ERROR`], 1.2e−4, which exceeds the 2^−14 that are lost beyond the table. `gen` has the words and tests them over every t and many n against f64.
-//! Source: a power by table as Abbas 2003, section 6.4, has it for cos²; the place in the lobe and the bound are ours.
+//! Source: a power by table as Abbas 2003, chapter 6, has it for cos²; the place in the lobe and the bound are ours.
 
 use super::power_table::PowerTable;
 use crate::format::{bit_cast_product, bit_cast_u, signed_cast_bits, Q, U};
@@ -109,7 +109,7 @@ impl Logic for Power {
         comment!("name power");
         comment!("title Power of a cosine from its place in the lobe, by table and linear interpolation.");
         comment!("equation power = (1 - t / 2^s)^n from start - fall * fraction; 1 for t < 0, 0 for t >= 1");
-        comment!("source Table of a highlight as in Abbas 2003, section 6.4; place in the lobe instead of an angle.");
+        comment!("source Table of a highlight as in Abbas 2003, chapter 6; place in the lobe instead of an angle.");
         comment!("latency Four clocks from place to power; one power per clock.");
         dff_setup!(
             self, clock, place_1, dark_1, fraction_2, dark_2, start_3, fall_3, dark_3, power_4

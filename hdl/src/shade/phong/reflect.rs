@@ -52,7 +52,7 @@ impl Logic for Reflect {
         comment!("title One colour channel of the reflection model.");
         comment!("equation level = ambient + diffuse * max(0, N.L) + specular * max(0, N.H)^n");
         comment!(
-            "source Phong 1975 with the half-way vector of Blinn 1977; Abbas 2003, equation 5.1."
+            "source Phong 1975 with the half-way vector of Blinn 1977; Abbas 2003, chapter 5."
         );
         comment!("latency Two clocks from light and power to level; one level per clock.");
         dff_setup!(self, clock, ambient, diffuse, specular, matt_1, gloss_1, colour_2);
