@@ -139,6 +139,7 @@ fn wide(count: usize, exponent: f64, seed: u64) -> Vec<Triangle> {
             position: [corner(0, 0), corner(1024, 0), corner(0, 6)],
             depth: [1000.0 + 60_000.0 / count as f64 * i as f64; 3],
             knots: sample(normals, colours, exponent),
+            material: None,
             label: format!("wide {i}"),
         }
     };
