@@ -255,13 +255,13 @@ pub fn measured(filter: Filter) -> [Measured; 3] {
         ],
         Filter::Box => [
             row("spartan-3", 1389, 997, 114, 3),
-            row("spartan-6", 1035, 835, 114, 3),
-            row("spartan-7", 1050, 835, 57, 3),
+            row("spartan-6", 1035, 901, 114, 3),
+            row("spartan-7", 1050, 901, 57, 3),
         ],
         Filter::Cone => [
             row("spartan-3", 2088, 1159, 115, 3),
-            row("spartan-6", 1200, 1005, 114, 3),
-            row("spartan-7", 1199, 1005, 57, 3),
+            row("spartan-6", 1200, 1071, 114, 3),
+            row("spartan-7", 1199, 1071, 57, 3),
         ],
     }
 }

@@ -57,8 +57,23 @@ const fn with_multipliers(dsp: u32, row: Measured) -> Measured {
     Measured { dsp, ..row }
 }
 
+const DUFF: [Measured; 3] = [
+    with_multipliers(22, row("spartan-3", 2931, 5202, 78)),
+    with_multipliers(22, row("spartan-6", 2439, 4809, 78)),
+    with_multipliers(21, row("spartan-7", 2438, 4809, 40)),
+];
+const SLERP: [Measured; 3] = [
+    with_multipliers(15, row("spartan-3", 2165, 2271, 78)),
+    with_multipliers(15, row("spartan-6", 1286, 1521, 78)),
+    with_multipliers(11, row("spartan-7", 1236, 1521, 39)),
+];
+const BLAKE: [Measured; 3] = [
+    with_multipliers(6, row("spartan-3", 1646, 2231, 76)),
+    with_multipliers(6, row("spartan-6", 1004, 1515, 76)),
+    with_multipliers(6, row("spartan-7", 1006, 1515, 38)),
+];
 const QUADRATIC_DOTS: [Measured; 3] = [
-    with_multipliers(7, row("spartan-3", 2420, 3838, 77)),
+    with_multipliers(7, row("spartan-3", 2427, 3838, 77)),
     with_multipliers(7, row("spartan-6", 2139, 3684, 77)),
     with_multipliers(7, row("spartan-7", 2157, 3684, 39)),
 ];
@@ -84,7 +99,10 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
         Order::Quadratic => QUADRATIC.to_vec(),
         Order::QuadraticDots => QUADRATIC_DOTS.to_vec(),
         Order::Line(filter) => line::measured(filter).to_vec(),
-        Order::Duff | Order::Span(_) => vec![],
+        Order::Duff => DUFF.to_vec(),
+        Order::Span(SpanKind::Slerp) => SLERP.to_vec(),
+        Order::Span(SpanKind::Blake) => BLAKE.to_vec(),
+        Order::Span(_) => vec![],
     };
     let rows: Vec<Measured> = all
         .into_iter()

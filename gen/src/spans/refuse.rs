@@ -4,7 +4,7 @@ use crate::scene::method_of;
 use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::span_core::SpanKind;
 use shadegate_reference::scene::LightKind;
-use shadegate_reference::{supported, Prepared, Unsupported};
+use shadegate_reference::{supported, Prepared, Scene, Unsupported};
 
 /// Why a span core cannot draw a scene.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -13,8 +13,10 @@ pub enum Refused {
     #[error(transparent)]
     Method(#[from] Unsupported),
     /// The core has less than the method.
-    #[error("the {core} core draws {takes}, and the scene has {has}")]
+    #[error("{file}: {has}, which the {core} core does not draw; expected {takes}, or the command render")]
     Core {
+        /// The scene file.
+        file: String,
         /// Name of the core.
         core: &'static str,
         /// What it draws.
@@ -28,7 +30,7 @@ pub enum Refused {
 ///
 /// # Errors
 /// The first thing that it cannot draw.
-pub fn drawable(p: &Prepared, order: Order) -> Result<(), Refused> {
+pub fn drawable(scene: &Scene, p: &Prepared, order: Order) -> Result<(), Refused> {
     let Order::Span(kind) = order else {
         return Ok(());
     };
@@ -36,31 +38,32 @@ pub fn drawable(p: &Prepared, order: Order) -> Result<(), Refused> {
     let s = p.surroundings();
     let refuse = |takes, has| {
         Err(Refused::Core {
+            file: scene.file.display().to_string(),
             core: kind.name(),
             takes,
             has,
         })
     };
     if s.lights() > 1 {
-        return refuse("one light", format!("{} lights", s.lights()));
+        return refuse("one light", format!("the scene has {} lights", s.lights()));
     }
     for k in 0..s.lights() {
         let fades = match &s.light(k).0.kind {
             LightKind::Directional { .. } => None,
             LightKind::Point { attenuation, .. } => {
                 let fades = attenuation.linear != 0.0 || attenuation.quadratic != 0.0;
-                fades.then_some("a point light that falls off with distance")
+                fades.then_some("the light falls off with distance")
             }
-            LightKind::Spot { .. } => Some("a spot"),
+            LightKind::Spot { .. } => Some("the light is a spot"),
         };
         if let Some(has) = fades {
-            return refuse("light of one colour everywhere", has.to_owned());
+            return refuse("a light of one colour everywhere", has.to_owned());
         }
         let blake = matches!(kind, SpanKind::Blake | SpanKind::BlakeRefit);
         if blake && !s.is_constant(k) {
             return refuse(
-                "light and viewer that are infinitely far",
-                "perspective or a light nearby".to_owned(),
+                "an orthographic camera (height) and a directional light",
+                "the camera or the light is near".to_owned(),
             );
         }
     }

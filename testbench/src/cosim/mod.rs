@@ -188,7 +188,7 @@ pub fn prelude(
     drawable(scene)?;
     suited(scene, core.order)?;
     let prepared = Prepared::new(scene, Some((width, height)), &Skips::all())?;
-    spans::drawable(&prepared, core.order)?;
+    spans::drawable(scene, &prepared, core.order)?;
     let viewport = Viewport { width, height };
     let (mut triangles, mut lines) = (vec![], vec![]);
     let stimulus = match core.order {
