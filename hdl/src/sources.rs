@@ -71,13 +71,9 @@ pub const SOURCES: &[(&str, &str)] = &[
 /// The source text of the description called `name`.
 #[must_use]
 pub fn source(name: &str) -> Option<&'static str> {
-    // A frame memory is named after its size.
-    if name.starts_with("frame_memory") {
+    // Memories are named after their sizes.
+    if name.starts_with("frame_memory") || name.starts_with("colour_memory") {
         return Some(include_str!("depth/frame_memory.rs"));
-    }
-    // The memories of lines after their sizes, too.
-    if name.starts_with("colour_memory") {
-        return Some(include_str!("line/colour_memory.rs"));
     }
     if name.starts_with("weight_rom") {
         return Some(include_str!("line/weight_rom.rs"));

@@ -1,7 +1,7 @@
 //! Every description lists its ports completely; a block with a forgotten input would stand still in simulation.
 
 use rust_hdl_core::prelude::*;
-use shadegate_hdl::depth::frame_memory::FrameMemory;
+use shadegate_hdl::depth::frame_memory::{ColourMemory, FrameMemory};
 use shadegate_hdl::depth::z_buffer::ZBuffer;
 use shadegate_hdl::interpolate::constant_1::Constant1;
 use shadegate_hdl::interpolate::constant_2::Constant2;
@@ -16,7 +16,6 @@ use shadegate_hdl::line::blend::Blend;
 use shadegate_hdl::line::box_filter::BoxCore;
 use shadegate_hdl::line::box_weight::BoxWeight;
 use shadegate_hdl::line::bresenham::BresenhamCore;
-use shadegate_hdl::line::colour_memory::ColourMemory;
 use shadegate_hdl::line::cone::ConeCore;
 use shadegate_hdl::line::cone_column::ConeColumns;
 use shadegate_hdl::line::cone_stages::ConeStages;

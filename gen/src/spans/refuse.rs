@@ -1,6 +1,6 @@
 //! What a scene may not have for a span core.
 
-use crate::scene::method_of;
+use crate::scene::{method_of, Unsuited};
 use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::span_core::SpanKind;
 use shadegate_reference::scene::LightKind;
@@ -13,17 +13,8 @@ pub enum Refused {
     #[error(transparent)]
     Method(#[from] Unsupported),
     /// The core has less than the method.
-    #[error("{file}: {has}, which the {core} core does not draw; expected {takes}, or the command render")]
-    Core {
-        /// The scene file.
-        file: String,
-        /// Name of the core.
-        core: &'static str,
-        /// What it draws.
-        takes: &'static str,
-        /// What is in the way.
-        has: String,
-    },
+    #[error(transparent)]
+    Core(#[from] Unsuited),
 }
 
 /// Whether the core of an order can draw a scene; those that are no span cores are not asked.
@@ -36,13 +27,13 @@ pub fn drawable(scene: &Scene, p: &Prepared, order: Order) -> Result<(), Refused
     };
     supported(p, method_of(order))?;
     let s = p.surroundings();
-    let refuse = |takes, has| {
-        Err(Refused::Core {
+    let refuse = |expected, what| {
+        Err(Refused::Core(Unsuited {
             file: scene.file.display().to_string(),
+            what,
             core: kind.name(),
-            takes,
-            has,
-        })
+            expected,
+        }))
     };
     if s.lights() > 1 {
         return refuse("one light", format!("the scene has {} lights", s.lights()));

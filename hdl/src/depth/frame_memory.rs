@@ -6,9 +6,19 @@
 use crate::format::U;
 use rust_hdl_core::prelude::*;
 
-/// `A` address bits, 16-bit words. Accesses beyond the last word read nothing and write nothing.
+/// The depth memory of a triangle core: 16 bits per pixel.
+pub type FrameMemory<const A: usize> = PixelMemory<A, 16>;
+/// The frame memory of a line core: a colour of 24 bits per pixel. Colours are kept relative to the background (exclusive
+/// or), so zeros are an empty frame of whatever background.
+pub type ColourMemory<const A: usize> = PixelMemory<A, 24>;
+/// Integer model of [`FrameMemory`].
+pub type FrameMemoryModel = PixelMemoryModel<u16>;
+/// Integer model of [`ColourMemory`].
+pub type ColourMemoryModel = PixelMemoryModel<u32>;
+
+/// `A` address bits, words of `W` bits, 32 at most. Accesses beyond the last word read nothing and write nothing.
 #[derive(LogicBlock)]
-pub struct FrameMemory<const A: usize> {
+pub struct PixelMemory<const A: usize, const W: usize> {
     /// Clock.
     pub clock: Signal<In, Clock>,
     /// Reads; `read_data` keeps its value otherwise.
@@ -16,20 +26,37 @@ pub struct FrameMemory<const A: usize> {
     /// Address to read.
     pub read_address: Signal<In, U<A>>,
     /// The word read by the last clock that had `read`.
-    pub read_data: Signal<Out, U<16>>,
+    pub read_data: Signal<Out, U<W>>,
     /// Writes.
     pub write: Signal<In, Bit>,
     /// Address to write.
     pub write_address: Signal<In, U<A>>,
     /// Word to write.
-    pub write_data: Signal<In, U<16>>,
-    _words: Vec<u16>,
+    pub write_data: Signal<In, U<W>>,
+    _words: Vec<u32>,
+    _name: &'static str,
+    _title: &'static str,
 }
 
 impl<const A: usize> FrameMemory<A> {
     /// A memory of `words` words, at least two and at most 2^A.
     #[must_use]
     pub fn new(words: usize) -> Self {
+        Self::named(words, "frame_memory", "Depth memory of {} words")
+    }
+}
+
+impl<const A: usize> ColourMemory<A> {
+    /// A memory of `words` words, at least two and at most 2^A.
+    #[must_use]
+    pub fn new(words: usize) -> Self {
+        Self::named(words, "colour_memory", "Frame memory of {} colours")
+    }
+}
+
+impl<const A: usize, const W: usize> PixelMemory<A, W> {
+    /// With the name of the module and its title, in which {} is the number of words.
+    fn named(words: usize, name: &'static str, title: &'static str) -> Self {
         assert!(
             words >= 2 && words <= 1 << A,
             "a memory with {A} address bits has 2 to 2^{A} words, not {words}"
@@ -43,11 +70,13 @@ impl<const A: usize> FrameMemory<A> {
             write_address: Default::default(),
             write_data: Default::default(),
             _words: vec![0; words],
+            _name: name,
+            _title: title,
         }
     }
 }
 
-impl<const A: usize> Logic for FrameMemory<A> {
+impl<const A: usize, const W: usize> Logic for PixelMemory<A, W> {
     fn update(&mut self) {
         if self.clock.pos_edge() {
             if self.read.val() {
@@ -57,7 +86,7 @@ impl<const A: usize> Logic for FrameMemory<A> {
             }
             if self.write.val() {
                 if let Some(word) = self._words.get_mut(self.write_address.val().get() as usize) {
-                    *word = self.write_data.val().get() as u16;
+                    *word = self.write_data.val().get() as u32;
                 }
             }
         }
@@ -71,16 +100,19 @@ impl<const A: usize> Logic for FrameMemory<A> {
     fn hdl(&self) -> Verilog {
         let words = self._words.len();
         let last = words - 1;
+        let top = W - 1;
+        let name = self._name;
+        let title = self._title.replace("{}", &words.to_string());
         Verilog::Custom(format!(
-            "//! name frame_memory_{words}\n\
-             //! title Depth memory of {words} words of 16 bits: one read and one write per clock.\n\
+            "//! name {name}_{words}\n\
+             //! title {title} of {W} bits: one read and one write per clock.\n\
              //! equation read_data = words[read_address], old data when the same clock writes there\n\
              //! source Simple dual-port template for block RAM; zero at power-up.\n\
              //! latency One clock from read to read_data.\n\
-             //! memory words={words} width=16 outside=kept\n\
+             //! memory words={words} width={W} outside=kept\n\
              //! read address=read_address data=read_data enable=read clock=clock\n\
              //! write address=write_address data=write_data enable=write clock=clock\n\
-             reg [15:0] words [0:{last}];\n\
+             reg [{top}:0] words [0:{last}];\n\
              always @(posedge clock) begin\n  \
              if (write && write_address <= {last}) words[write_address] <= write_data;\n  \
              if (read && read_address <= {last}) read_data <= words[read_address];\n\
@@ -89,25 +121,25 @@ impl<const A: usize> Logic for FrameMemory<A> {
     }
 }
 
-crate::clocked!(FrameMemory<A>, const A: usize;
+crate::clocked!(PixelMemory<A, W>, const A: usize, const W: usize;
     inputs read, read_address, write, write_address, write_data;
     outputs read_data);
 
-/// Integer model of [`FrameMemory`].
+/// Integer model of [`PixelMemory`], with words of type `T`.
 #[derive(Clone, Debug)]
-pub struct FrameMemoryModel {
-    words: Vec<u16>,
+pub struct PixelMemoryModel<T> {
+    words: Vec<T>,
     /// The word read last.
-    pub read_data: u16,
+    pub read_data: T,
 }
 
-impl FrameMemoryModel {
+impl<T: Copy + Default> PixelMemoryModel<T> {
     /// A cleared memory.
     #[must_use]
     pub fn new(words: usize) -> Self {
         Self {
-            words: vec![0; words],
-            read_data: 0,
+            words: vec![T::default(); words],
+            read_data: T::default(),
         }
     }
 
@@ -124,7 +156,7 @@ impl FrameMemoryModel {
     }
 
     /// One clock.
-    pub fn clock(&mut self, read: Option<u64>, write: Option<(u64, u16)>) {
+    pub fn clock(&mut self, read: Option<u64>, write: Option<(u64, T)>) {
         if let Some(word) = read.and_then(|a| self.words.get(a as usize)) {
             self.read_data = *word;
         }

@@ -10,7 +10,7 @@
 //! | [`cone_words`] | register words of the cone filter |
 //! | [`cone_stages`] | distances, one pixel per clock by one shared adder: two overlapped stages |
 //! | [`cone_column`] | distances and weights, one column of three (or four) pixels per clock |
-//! | [`blend`], [`colour_memory`], [`stream`] | old·(1 − w) + new·w, the frame, the pixel stream; its model in [`stream_model`] |
+//! | [`blend`], [`stream`] | old·(1 − w) + new·w, the pixel stream over the frame memory; its model in [`stream_model`] |
 //! | [`bresenham`], [`box_filter`], [`cone`] | the cores |
 //! | [`model`] | the cores' integer model |
 //!
@@ -21,14 +21,12 @@ pub mod blend;
 pub mod box_filter;
 pub mod box_weight;
 pub mod bresenham;
-pub mod colour_memory;
 pub mod cone;
 pub mod cone_column;
 pub mod cone_stages;
 pub mod cone_words;
 pub mod coverage;
 pub mod cue;
-mod device;
 pub mod model;
 pub mod place;
 pub mod stream;

@@ -13,7 +13,7 @@
 //! Source: Abbas 2003, section 3.3 (second stage: look up, read, write); the pipeline and its interlock are ours.
 
 use super::blend::Blend;
-use super::colour_memory::ColourMemory;
+use crate::depth::frame_memory::ColourMemory;
 use crate::format::{bit_cast_u, U};
 use crate::simulate::{Quiet, Register, Wire};
 use rust_hdl_core::prelude::*;

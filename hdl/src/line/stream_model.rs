@@ -1,7 +1,7 @@
 //! Integer model of the line cores' pixel stream, clock by clock.
 
 use super::blend::blend_model;
-use super::colour_memory::ColourMemoryModel;
+use crate::depth::frame_memory::ColourMemoryModel;
 use crate::format::mask;
 
 /// A pixel on its way.
@@ -137,7 +137,7 @@ impl StreamModel {
             self.fetched = i.pixel;
         }
         self.sweep = match self.sweep {
-            Some(a) if a as usize + 1 == self.memory.words() => None,
+            Some(a) if a as usize + 1 == self.memory.len() => None,
             Some(a) => Some((a + 1) & mask(self.address_bits)),
             None => (i.clear && !busy).then_some(0),
         };

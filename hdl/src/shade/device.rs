@@ -3,6 +3,8 @@
 //! rust-hdl formats are const generics, so a choice made at run time needs every combination compiled. There are two
 //! word lengths per core, told apart by how far an accumulator can run in a frame (see [`longest_run`]).
 
+use super::blake::BlakeCore;
+use super::chebyshev::ChebyshevCore;
 use super::duff::DuffCore;
 use super::gouraud::GouraudCore;
 use super::model::{bus_bits, CoreInputs, CoreModel, CoreOutputs, Order};
@@ -11,8 +13,13 @@ use super::phong::{inverse_root, unit_cosines};
 use super::phong::{ERROR_LSB, LIGHT_FRACTION_BITS, LIGHT_INTEGER_BITS, STAGES};
 use super::quadratic::QuadraticCore;
 use super::quadratic_dots::QuadraticDotsCore;
+use super::slerp::SlerpCore;
+use super::spherical::SphericalCore;
 use super::COLOUR_INTEGER_BITS;
 use crate::format::U;
+use crate::line::box_filter::BoxCore;
+use crate::line::bresenham::BresenhamCore;
+use crate::line::cone::ConeCore;
 use crate::simulate::{Clocked, Simulator};
 use rust_hdl_core::prelude::*;
 
@@ -284,6 +291,13 @@ core_ports!(QuadraticCore, D, N, B, A);
 core_ports!(GouraudCore, D, N, B, A);
 core_ports!(QuadraticDotsCore, N, B, A);
 core_ports!(DuffCore, N, B, A);
+core_ports!(SlerpCore, A);
+core_ports!(ChebyshevCore, A);
+core_ports!(BlakeCore, A);
+core_ports!(SphericalCore, A, K, M, P, H);
+core_ports!(BresenhamCore, A);
+core_ports!(BoxCore, A);
+core_ports!(ConeCore, A);
 
 /// A core's description under simulation.
 pub struct CoreSimulator(Box<dyn Engine>);

@@ -2,12 +2,10 @@
 
 use super::blake::BlakeCore;
 use super::chebyshev::ChebyshevCore;
-use super::device::{CorePorts, DesignVisitor};
-use super::model::{CoreInputs, CoreOutputs};
+use super::device::DesignVisitor;
 use super::slerp::SlerpCore;
 use super::span_bound::error_bound;
 use super::spherical::SphericalCore;
-use crate::format::U;
 
 /// Which span core.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -81,40 +79,3 @@ impl SpanKind {
         }
     }
 }
-
-macro_rules! span_core_ports {
-    ($type:ident $(, $n:ident)*) => {
-        impl<$(const $n: usize),*> CorePorts for $type<$($n),*> {
-            fn set(&mut self, i: &CoreInputs) {
-                self.write.next = i.write;
-                self.select.next = U::new(u64::from(i.select));
-                self.data.next = U::new(i.data);
-                self.start.next = i.start;
-                self.clear.next = i.clear;
-                self.ready.next = i.ready;
-            }
-
-            fn get(&self) -> CoreOutputs {
-                let byte = |v: U<8>| v.get() as u8;
-                CoreOutputs {
-                    load_ready: self.load_ready.val(),
-                    valid: self.valid.val(),
-                    x: self.x.val().get() as u16,
-                    y: self.y.val().get() as u16,
-                    rgb: [
-                        byte(self.red.val()),
-                        byte(self.green.val()),
-                        byte(self.blue.val()),
-                    ],
-                    depth: self.depth.val().get() as u16,
-                    busy: self.busy.val(),
-                    done: self.done.val(),
-                }
-            }
-        }
-    };
-}
-span_core_ports!(SlerpCore, A);
-span_core_ports!(ChebyshevCore, A);
-span_core_ports!(BlakeCore, A);
-span_core_ports!(SphericalCore, A, K, M, P, H);

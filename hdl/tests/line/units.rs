@@ -2,10 +2,10 @@
 
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
+use shadegate_hdl::depth::frame_memory::{ColourMemory, ColourMemoryModel};
 use shadegate_hdl::format::{wrap, Q, U};
 use shadegate_hdl::line::blend::{blend_model, Blend};
 use shadegate_hdl::line::box_weight::{BoxModel, BoxWeight};
-use shadegate_hdl::line::colour_memory::{ColourMemory, ColourMemoryModel};
 use shadegate_hdl::line::cone_stages::{ConeStages, ConeStagesModel};
 use shadegate_hdl::line::coverage::table;
 use shadegate_hdl::line::cue::{Cue, CueModel};

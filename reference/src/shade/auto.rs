@@ -67,7 +67,7 @@ impl<'a> Auto<'a> {
             } else if skips.is_on(skips::BOUNDS) && is_few(t) {
                 Plan {
                     bounded: false,
-                    ..Plan::whole(per_pixel(p, t, error))
+                    ..Plan::whole(per_pixel(p, t, error).0)
                 }
             } else {
                 let bounds = tables.of_plain(p, t);
@@ -221,7 +221,7 @@ fn choose(
     let (choice, left) = if enough(skips::PRODUCTS_ENOUGH, bounds.dots) {
         (Choice::Dots, room - bounds.dots)
     } else {
-        (per_pixel(p, t, error), error - paint::arithmetic(p, t))
+        per_pixel(p, t, error)
     };
     if choice == Choice::Exact {
         return Plan::whole(choice);
@@ -238,12 +238,13 @@ fn choose(
     }
 }
 
-/// The way that needs no bound: vectors blended in f32 where that is accurate enough.
-fn per_pixel(p: &Prepared, t: &ScreenTriangle, error: f64) -> Choice {
-    if paint::arithmetic(p, t) <= error {
-        Choice::Phong
+/// The way that needs no bound, and what it leaves of the error: vectors blended in f32 where that is accurate enough.
+fn per_pixel(p: &Prepared, t: &ScreenTriangle, error: f64) -> (Choice, f64) {
+    let left = error - paint::arithmetic(p, t);
+    if left >= 0.0 {
+        (Choice::Phong, left)
     } else {
-        Choice::Exact
+        (Choice::Exact, error)
     }
 }
 
