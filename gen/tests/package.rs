@@ -8,8 +8,10 @@ use sha2::{Digest, Sha256};
 use shadegate_gen::package::{registers, resources, Register};
 use shadegate_gen::stimulus::{build, sample_triangles, StimulusOptions};
 use shadegate_gen::wrapper::Wrapper;
+use shadegate_hdl::line::Filter;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
+use shadegate_hdl::shade::span_core::SpanKind;
 use shadegate_reference::raster::Viewport;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -180,10 +182,20 @@ fn the_register_map_is_what_a_host_writes() {
 fn resources_are_those_of_the_readme() {
     let readme = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");
     let readme = std::fs::read_to_string(readme).expect("README.md");
-    for order in [Order::Linear, Order::Quadratic, Order::QuadraticDots] {
+    for (order, bits) in [
+        (Order::Linear, 16),
+        (Order::Quadratic, 16),
+        (Order::QuadraticDots, 16),
+        (Order::Duff, 16),
+        (Order::Span(SpanKind::Slerp), 16),
+        (Order::Span(SpanKind::Blake), 16),
+        (Order::Line(Filter::Bresenham), 0),
+        (Order::Line(Filter::Box), 24),
+        (Order::Line(Filter::Cone), 24),
+    ] {
         let core = Core::for_frame(order, 320, 240).expect("in range");
         let all = resources(&core, (320, 240), None);
-        assert_eq!(all.depth_memory_bits, 320 * 240 * 16);
+        assert_eq!(all.depth_memory_bits, 320 * 240 * bits);
         let measured = all.measured.expect("measured");
         for m in &measured {
             let family = m.family.replace("spartan", "Spartan");
