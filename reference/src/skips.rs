@@ -16,10 +16,18 @@ pub const FRUSTUM: &str = "frustum";
 pub const OUTSIDE: &str = "outside";
 /// A triangle that covers no pixel centre of the viewport.
 pub const UNCOVERED: &str = "uncovered";
+/// A triangle drawn before farther objects that the scene names first, so that it hides them: the order alone is changed, and
+/// what it saves is among the pixels under `hidden` and the triangles under `tiles`. Only objects between which there is a gap
+/// in depth change places, and none while back faces are drawn.
+pub const FRONT_TO_BACK: &str = "front-to-back";
 /// A pixel behind what is already drawn: not shaded.
 pub const HIDDEN: &str = "hidden";
 /// A triangle of which nothing is nearer than the coarse depth of a band of rows: left out of that band.
 pub const TILES: &str = "tiles";
+/// The set-up of a span of one pixel, for the methods that follow great circles: its colour is that of the vectors blended
+/// there. The same frame for methods whose spans end in blends; for those that slerp along edges, within the method's
+/// bound, and nearer to the truth. Counted in spans.
+pub const ONE_PIXEL: &str = "one-pixel";
 /// A light whose cone misses a triangle: not looked at there. Counted once for every such light and triangle.
 pub const SPOT: &str = "spot";
 /// A triangle that one colour draws within the error wanted of `auto`.
@@ -56,14 +64,16 @@ pub const DEGENERATE: &str = "degenerate";
 /// A triangle of which the near plane, the far plane or the guard band leaves nothing. Always skipped as well.
 pub const CLIPPED_AWAY: &str = "clipped-away";
 
-const NAMES: [&str; 21] = [
+const NAMES: [&str; 23] = [
     BACK_FACE,
     VERTEX,
     FRUSTUM,
     OUTSIDE,
     UNCOVERED,
+    FRONT_TO_BACK,
     HIDDEN,
     TILES,
+    ONE_PIXEL,
     SPOT,
     FLAT_ENOUGH,
     LINEAR_ENOUGH,
@@ -105,8 +115,10 @@ impl Skips {
             FRUSTUM => "an object whose bounding box lies outside the frustum",
             OUTSIDE => "a triangle beside the viewport",
             UNCOVERED => "a triangle that covers no pixel centre of the viewport",
+            FRONT_TO_BACK => "a triangle drawn before farther objects that the scene names first",
             HIDDEN => "a pixel behind what is already drawn: not shaded",
             TILES => "a triangle of which nothing is nearer than the coarse depth of a band of rows: left out of that band",
+            ONE_PIXEL => "the set-up of a span of one pixel, for methods along great circles",
             SPOT => "a light whose cone misses a triangle: not looked at there",
             FLAT_ENOUGH => "a triangle that one colour draws within the error wanted of `auto`",
             LINEAR_ENOUGH => "a triangle that linear interpolation draws within the error wanted of `auto`",

@@ -156,7 +156,7 @@ fn no_error_exceeds_its_bound() {
         promised += 1;
         let t = &p.triangles[0];
         let (three, six) = (gouraud::knots(&p, t), quadratic::knots(&p, t));
-        let dots = Dots::new(&p, 0).unwrap();
+        let dots = Dots::new(&p, &p.triangles[0], Dots::normals(&p.triangles[0])).unwrap();
         let mut worst = [0.0f64; 3];
         for i in 0..=14 {
             for j in 0..=14 - i {

@@ -6,10 +6,16 @@ mod single;
 use glam::DVec3;
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
-use shadegate_reference::raster::Point;
+use shadegate_reference::raster::{Point, Viewport, Walk};
+use shadegate_reference::render::{render, RenderOptions};
+use shadegate_reference::shade::case::Case;
+use shadegate_reference::shade::dispatch::{dispatch, Visitor};
 use shadegate_reference::shade::exact;
-use shadegate_reference::Method;
+use shadegate_reference::shade::shader::{Draw, Run, Shader};
+use shadegate_reference::skips::Skips;
+use shadegate_reference::{Method, Prepared};
 use single::{pixels, Single};
+use std::path::Path;
 
 const CIRCULAR: [Method; 15] = [
     Method::Spherical,
@@ -230,4 +236,109 @@ fn degenerate_input_gives_finite_colours_within_the_range() {
             }
         }
     }
+}
+
+/// The red of a run's first pixel.
+struct Red;
+
+impl Draw for Red {
+    type Out = f64;
+
+    fn draw(self, run: impl Run) -> f64 {
+        run.colour()[0]
+    }
+}
+
+/// Spans of one pixel: what the skip gives, and what a start does.
+struct OnePixel<'a>(&'a Prepared);
+
+impl Visitor for OnePixel<'_> {
+    type Out = Vec<(i32, i32, [f64; 2])>;
+
+    fn visit<S: Shader>(self, shader: &S) -> Self::Out {
+        let p = self.0;
+        let setup = shader.triangle(p, 0);
+        let viewport = Viewport {
+            width: p.width,
+            height: p.height,
+        };
+        let mut out = Vec::new();
+        for walk in Walk::new(p.triangles[0].position, viewport).iter() {
+            for span in walk.spans(p.width).filter(|s| s.end - s.start == 1) {
+                let short = shader.one_pixel(p, &setup, span, Red);
+                let whole = shader.start(p, &setup, span).colour()[0];
+                out.push((span.start, span.y, [short, whole]));
+            }
+        }
+        out
+    }
+}
+
+#[test]
+fn spans_of_one_pixel_are_the_truth_and_within_the_bound_of_what_a_start_gives() {
+    let mut rng = StdRng::seed_from_u64(77);
+    let (mut tried, mut moved) = (0, 0.0f64);
+    for k in 0..600 {
+        let s = Single::random(&mut rng, 6 + k % 40, 1.2);
+        let p = s.prepare();
+        let angle = |i: usize, j: usize| s.normal[i].angle_between(s.normal[j]);
+        let case = Case {
+            spread: angle(0, 1).max(angle(0, 2)).max(angle(1, 2)),
+            turn: 0.0,
+            shininess: s.shininess,
+            diffuse: 0.4,
+            specular: 0.5,
+        };
+        for m in CIRCULAR {
+            let bound = m.bound(&case).unwrap();
+            for (x, y, [short, whole]) in dispatch(&p, m, OnePixel(&p)).unwrap() {
+                let truth = exact::value(&p, &p.triangles[0], x, y)[0];
+                assert!((short - truth).abs() < 1e-9, "{m}: {short} {truth}");
+                let e = (short - whole).abs();
+                assert!(e <= bound + 1e-9, "{m}: {e} > {bound}");
+                let blended = [Method::Slerp, Method::SlerpChebyshev, Method::SlerpTrigFree];
+                if blended.contains(&m) {
+                    assert!(e < 1e-9, "{m}: {e}");
+                }
+                moved = moved.max(e);
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried > 3000, "{tried}");
+    // Otherwise there is nothing to bound.
+    assert!(moved > 0.1, "{moved}");
+}
+
+#[test]
+fn spans_of_one_pixel_are_counted_and_change_no_frame_of_blended_ends() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/teapot.toml");
+    let scene = shadegate_reference::scene::load(&file).unwrap();
+    let p = Prepared::new(&scene, None, &Skips::all()).unwrap();
+    let viewport = Viewport {
+        width: p.width,
+        height: p.height,
+    };
+    let walks = p.triangles.iter();
+    let walks = walks.filter_map(|t| Walk::new(t.position, viewport));
+    let ones: usize = walks
+        .map(|w| w.spans(p.width).filter(|s| s.end - s.start == 1).count())
+        .sum();
+    let frame = |m, skips| {
+        let o = RenderOptions {
+            skips,
+            ..RenderOptions::default()
+        };
+        render(&p, m, &o)
+    };
+    for m in CIRCULAR {
+        let (with, stats) = frame(m, Skips::all());
+        assert_eq!(stats.skipped["one-pixel"], ones as u64, "{m}");
+        if [Method::Slerp, Method::SlerpChebyshev, Method::SlerpTrigFree].contains(&m) {
+            let (without, stats) = frame(m, Skips::all().but("one-pixel"));
+            assert!(with == without, "{m}");
+            assert_eq!(stats.skipped.get("one-pixel"), None);
+        }
+    }
+    assert!(ones > 1000, "{ones}");
 }

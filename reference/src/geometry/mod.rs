@@ -4,6 +4,8 @@ pub mod camera;
 pub mod clip;
 pub mod cull;
 pub mod facing;
+mod front_to_back;
+mod list;
 mod pool;
 mod prepare;
 mod select;
@@ -75,7 +77,8 @@ pub struct Prepared {
     pub height: u32,
     /// Colour of pixels that nothing covers.
     pub background: [u8; 3],
-    /// What is drawn, in order: front faces of all objects, then back faces if they are not skipped.
+    /// What is drawn, in order: front faces of all objects, near objects first where that cannot change the frame, then back
+    /// faces if they are not skipped.
     pub triangles: Vec<ScreenTriangle>,
     /// What became of the triangles of the scene.
     pub counts: TriangleCounts,

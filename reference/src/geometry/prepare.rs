@@ -6,16 +6,18 @@ use super::camera::View;
 use super::clip::Planes;
 use super::cull::{box_outside, corners};
 use super::facing::Facing;
+use super::front_to_back;
+use super::list::{starts, List};
 use super::pool::Stand;
 use super::select::{Memory, Selection, SkipsOn};
-use super::selected::{Piece, Reason, Selected, Subject};
-use super::{Prepared, ScreenTriangle, TriangleCounts, Wires, UNSHARED};
+use super::selected::{Reason, Selected, Subject};
+use super::{Prepared, TriangleCounts, Wires};
 use crate::parallel;
 use crate::raster::Viewport;
 use crate::scene::{Draw, Scene, SceneError, IMAGE_LIMIT};
 use crate::shade::reach::missing;
 use crate::shade::Surroundings;
-use crate::skips::{Skips, FRUSTUM, SPOT, VERTEX};
+use crate::skips::{Skips, FRONT_TO_BACK, FRUSTUM, SPOT, VERTEX};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -71,7 +73,8 @@ impl Prepared {
             |memory, faces| cast.select(&selection, faces, memory),
         );
         let parts: Vec<_> = parts.into_iter().flatten().collect();
-        let list = List::new(&cast, &parts);
+        let ranks = ranks(&subjects, &parts, skips, &mut skipped);
+        let list = List::new(&cast, &parts, &ranks);
         for (_, part) in &parts {
             counts.clipped += part.clipped;
             for (reason, n) in Reason::NAMES.into_iter().zip(part.skipped) {
@@ -151,22 +154,46 @@ fn subjects<'a>(
     subjects
 }
 
+/// The place of each subject in the order of drawing; triangles that come before farther ones for it are counted.
+fn ranks(
+    subjects: &[Subject],
+    parts: &[(usize, Selected)],
+    skips: &Skips,
+    skipped: &mut BTreeMap<&'static str, u64>,
+) -> Vec<usize> {
+    let mut ranks: Vec<usize> = (0..subjects.len()).collect();
+    let fronts_only = parts.iter().all(|(_, part)| part.back.is_empty());
+    if subjects.len() < 2 || !fronts_only || !skips.is_on(FRONT_TO_BACK) {
+        return ranks;
+    }
+    let mut ranges = vec![[f64::INFINITY, f64::NEG_INFINITY]; subjects.len()];
+    let mut pieces = vec![0; subjects.len()];
+    for (k, part) in parts {
+        let [lo, hi] = ranges[*k];
+        ranges[*k] = [lo.min(part.range[0]), hi.max(part.range[1])];
+        pieces[*k] += part.front.len() as u64;
+    }
+    let order = front_to_back::order(&ranges);
+    let mut first_later = usize::MAX;
+    for (rank, k) in order.into_iter().enumerate().rev() {
+        ranks[k] = rank;
+        if k > first_later {
+            count(skipped, FRONT_TO_BACK, pieces[k]);
+        }
+        if pieces[k] > 0 {
+            first_later = first_later.min(k);
+        }
+    }
+    ranks
+}
+
 /// All subjects, their faces and vertices numbered one after another.
-struct Cast<'a> {
-    subjects: &'a [Subject<'a>],
+pub(super) struct Cast<'a> {
+    pub(super) subjects: &'a [Subject<'a>],
     /// Where the faces of each begin, and of all of them the end.
     faces: Vec<usize>,
     /// Likewise of vertices.
-    vertices: Vec<usize>,
-}
-
-/// Where each begins that is so long, and of all of them the end.
-fn starts(lengths: impl Iterator<Item = usize>) -> Vec<usize> {
-    let sums = lengths.scan(0, |sum, n| {
-        *sum += n;
-        Some(*sum)
-    });
-    std::iter::once(0).chain(sums).collect()
+    pub(super) vertices: Vec<usize>,
 }
 
 impl<'a> Cast<'a> {
@@ -217,104 +244,6 @@ impl<'a> Cast<'a> {
             untouched -= seen.iter().filter(|s| **s).count();
         }
         untouched as u64
-    }
-}
-
-/// From so many pieces on the run of a piece is looked for.
-const HINT: usize = 16;
-
-/// What is drawn, in order.
-struct List<'a> {
-    cast: &'a Cast<'a>,
-    /// The pieces of each part: first the fronts of all, then the backs, so that of equal depths the front wins.
-    runs: Vec<Run<'a>>,
-    /// Where each run begins, and of all of them the end.
-    starts: Vec<usize>,
-    /// The runs that pieces 0, [`HINT`], 2·[`HINT`], … are in.
-    hints: Vec<u32>,
-    len: usize,
-    /// Least and greatest nearness.
-    range: [f64; 2],
-}
-
-struct Run<'a> {
-    subject: usize,
-    part: &'a Selected,
-    pieces: &'a [Piece],
-}
-
-impl<'a> List<'a> {
-    fn new(cast: &'a Cast<'a>, parts: &'a [(usize, Selected)]) -> Self {
-        let run = |(subject, part): &'a (usize, Selected), pieces| Run {
-            subject: *subject,
-            part,
-            pieces,
-        };
-        let fronts = parts.iter().map(|p| run(p, &p.1.front[..]));
-        let backs = parts.iter().map(|p| run(p, &p.1.back[..]));
-        let runs: Vec<_> = fronts
-            .chain(backs)
-            .filter(|r| !r.pieces.is_empty())
-            .collect();
-        let starts = starts(runs.iter().map(|r| r.pieces.len()));
-        let mut hints = Vec::new();
-        for (k, end) in starts[1..].iter().enumerate() {
-            let run = hints.len()..end.div_ceil(HINT);
-            hints.extend(run.map(|_| k as u32));
-        }
-        let least = |a: f64, b: &(usize, Selected)| a.min(b.1.range[0]);
-        let most = |a: f64, b: &(usize, Selected)| a.max(b.1.range[1]);
-        Self {
-            cast,
-            len: starts.last().copied().unwrap_or(0),
-            starts,
-            hints,
-            runs,
-            range: [
-                parts.iter().fold(f64::INFINITY, least),
-                parts.iter().fold(f64::NEG_INFINITY, most),
-            ],
-        }
-    }
-
-    /// Piece `i`, and the run that it is in.
-    #[inline]
-    fn piece(&self, i: usize) -> (&Run<'a>, Piece) {
-        let mut k = self.hints[i / HINT] as usize;
-        while self.starts[k + 1] <= i {
-            k += 1;
-        }
-        let run = &self.runs[k];
-        (run, run.pieces[i - self.starts[k]])
-    }
-
-    /// Maps nearness from the range to 0..=1; a frame of one depth is all nearest. The range does not depend on what is
-    /// skipped, so neither does the frame; triangles that are drawn only because a skip is off may lie outside it.
-    #[inline]
-    fn fit(&self, depth: f64) -> f64 {
-        let [lo, hi] = self.range;
-        if hi > lo {
-            (depth - lo) / (hi - lo)
-        } else {
-            1.0
-        }
-    }
-
-    /// The finished triangle `i`.
-    #[inline]
-    fn triangle(&self, i: usize) -> ScreenTriangle {
-        let (run, piece) = self.piece(i);
-        let subject = &self.cast.subjects[run.subject];
-        run.part.triangle(subject, piece, |d| self.fit(d))
-    }
-
-    /// The vertex numbers of triangle `i`.
-    #[inline]
-    fn numbers(&self, i: usize) -> [u32; 3] {
-        let (run, piece) = self.piece(i);
-        let before = self.cast.vertices[run.subject] as u32;
-        let numbers = run.part.numbers(piece);
-        numbers.map(|n| n.map_or(UNSHARED, |n| before + n))
     }
 }
 

@@ -30,6 +30,8 @@ pub(super) struct Tally {
     pub hidden: u64,
     /// Triangles left out of a band by its coarse depth.
     pub tiles: u64,
+    /// Spans of one pixel that were not set up.
+    pub one_pixel: u64,
 }
 
 impl std::ops::Add for Tally {
@@ -41,6 +43,7 @@ impl std::ops::Add for Tally {
             written: self.written + o.written,
             hidden: self.hidden + o.hidden,
             tiles: self.tiles + o.tiles,
+            one_pixel: self.one_pixel + o.one_pixel,
         }
     }
 }

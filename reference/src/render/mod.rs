@@ -21,6 +21,7 @@ use crate::skips::{self, Skips};
 use crate::texture::Textured;
 use bands::Tally;
 use fearless_simd::Level;
+use glam::DVec3;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -115,11 +116,15 @@ fn draw(p: &Prepared, method: Method, o: &RenderOptions) -> (Frame, RenderStats)
                 return vectors(p, o, start, &|i| Paint::Linear(knots.of(i)));
             }
             Method::Quadratic => {
-                let knots = shared::Six::new(p);
+                let knots = shared::Six::colours(p);
                 return vectors(p, o, start, &|i| Paint::Quadratic(knots.of(i)));
             }
             Method::QuadraticDots if all_plain(p) => {
-                let paint = |i| Dots::new(p, i).map_or(Paint::Exact, Paint::Dots);
+                let normals = shared::Six::normals(p);
+                let paint = |i: usize| {
+                    let knots = normals.of(i).map(DVec3::from);
+                    Dots::new(p, &p.triangles[i], knots).map_or(Paint::Exact, Paint::Dots)
+                };
                 return vectors(p, o, start, &paint);
             }
             Method::Phong if !p.has_bumps() => {
@@ -218,6 +223,7 @@ fn plain<S: Shader>(
     let start = Instant::now();
     let mut frame = Frame::new(p.width, p.height, p.background);
     let skip_hidden = o.skips.is_on(skips::HIDDEN);
+    let skip_one_pixel = o.skips.is_on(skips::ONE_PIXEL);
     let tally = bands::each(&mut frame, &bins, |first_row, pixels, bin| {
         let mut band = scalar::Band {
             prepared: p,
@@ -225,6 +231,7 @@ fn plain<S: Shader>(
             first_row,
             pixels,
             skip_hidden,
+            skip_one_pixel,
         };
         band.draw(bin, &ready)
     });
@@ -233,12 +240,12 @@ fn plain<S: Shader>(
 
 fn stats(p: &Prepared, tally: Tally, setup_ns: u64, raster_ns: u64) -> RenderStats {
     let mut skipped = p.skipped.clone();
-    if tally.hidden > 0 {
-        skipped.insert(skips::HIDDEN, tally.hidden);
-    }
-    if tally.tiles > 0 {
-        skipped.insert(skips::TILES, tally.tiles);
-    }
+    let counts = [
+        (skips::HIDDEN, tally.hidden),
+        (skips::TILES, tally.tiles),
+        (skips::ONE_PIXEL, tally.one_pixel),
+    ];
+    skipped.extend(counts.into_iter().filter(|(_, n)| *n > 0));
     RenderStats {
         pixels_tested: tally.tested,
         pixels_shaded: tally.tested - tally.hidden,

@@ -3,7 +3,7 @@
 use super::bands::{Ready, Tally};
 use crate::geometry::Prepared;
 use crate::shade::barycentric::{steps, weights};
-use crate::shade::shader::{Run, Shader};
+use crate::shade::shader::{Draw, Run, Shader};
 use crate::shade::to_byte;
 
 /// Rows `first_row..` of the frame.
@@ -14,6 +14,8 @@ pub(super) struct Band<'a, S> {
     pub pixels: &'a mut [[u8; 3]],
     /// Pixels that fail the depth test are not shaded.
     pub skip_hidden: bool,
+    /// Spans of one pixel are not set up.
+    pub skip_one_pixel: bool,
 }
 
 impl<S: Shader> Band<'_, S> {
@@ -47,7 +49,13 @@ impl<S: Shader> Band<'_, S> {
                     dz,
                     skip_hidden: self.skip_hidden,
                 };
-                tally = tally + line.run(self.shader.start(self.prepared, &r.setup, span));
+                let drawn = if S::ONE_PIXEL && self.skip_one_pixel && span.end - span.start == 1 {
+                    tally.one_pixel += 1;
+                    self.shader.one_pixel(self.prepared, &r.setup, span, line)
+                } else {
+                    line.draw(self.shader.start(self.prepared, &r.setup, span))
+                };
+                tally = tally + drawn;
             }
         }
         tally
@@ -63,8 +71,10 @@ struct Line<'a> {
     skip_hidden: bool,
 }
 
-impl Line<'_> {
-    fn run(self, mut run: impl Run) -> Tally {
+impl Draw for Line<'_> {
+    type Out = Tally;
+
+    fn draw(self, mut run: impl Run) -> Tally {
         let tested = self.pixels.len() as u64;
         let mut written = 0;
         for (k, (pixel, stored)) in self.pixels.iter_mut().zip(self.depths).enumerate() {
@@ -88,7 +98,7 @@ impl Line<'_> {
             } else {
                 0
             },
-            tiles: 0,
+            ..Tally::default()
         }
     }
 }

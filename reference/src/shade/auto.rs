@@ -1,5 +1,5 @@
-//! The cheapest way to draw each triangle within a given error: one colour, linear, quadratic, quadratic dot products, or
-//! Phong's vectors per pixel, the first whose proved bound ([`super::bound`]) is small enough.
+//! The cheapest way to draw each triangle within a given error: one colour, linear, quadratic, Phong's vectors per pixel, or
+//! quadratic dot products, the first whose proved bound ([`super::bound`]) is small enough.
 
 use super::bound::sampled::{noise, sample};
 use super::bound::{Bounds, Tables};
@@ -30,10 +30,10 @@ pub enum Choice {
     Linear,
     /// Quadratic through six colours.
     Quadratic,
-    /// Quadratic dot products, the power per pixel.
-    Dots,
     /// Blended vectors, everything per pixel.
     Phong,
+    /// Quadratic dot products, the power per pixel.
+    Dots,
     /// The definition per pixel: nothing less is enough, or the material or a light is of another kind.
     Exact,
 }
@@ -87,7 +87,7 @@ impl<'a> Auto<'a> {
     #[must_use]
     pub fn paint(&self, i: usize) -> Paint {
         let p = self.prepared;
-        let plan = self.plan[i];
+        let (plan, t) = (self.plan[i], &p.triangles[i]);
         let paint = match plan.choice {
             Choice::Constant => Some(Paint::Constant(mean(&self.vertices.of(i)))),
             Choice::Linear => Some(Paint::Linear(self.vertices.of(i))),
@@ -95,13 +95,13 @@ impl<'a> Auto<'a> {
                 let ([a, b, c], [d, e, f]) = (self.vertices.of(i), self.edges.of(i));
                 Some(Paint::Quadratic([a, b, c, d, e, f]))
             }
-            Choice::Dots => Dots::new(p, i).map(|mut d| {
+            Choice::Dots => Dots::new(p, t, Dots::normals(t)).map(|mut d| {
                 for t in &mut d.terms {
                     plan.thin(&mut t.diffuse, &mut t.specular);
                 }
                 Paint::Dots(d)
             }),
-            Choice::Phong => Phong::new(p, &p.triangles[i]).map(|mut d| {
+            Choice::Phong => Phong::new(p, t).map(|mut d| {
                 for t in &mut d.terms {
                     plan.thin(&mut t.diffuse, &mut t.specular);
                 }
@@ -218,10 +218,12 @@ fn choose(
         }
     }
     let m = p.surroundings.material(t.material);
-    let (choice, left) = if enough(skips::PRODUCTS_ENOUGH, bounds.dots) {
-        (Choice::Dots, room - bounds.dots)
-    } else {
-        per_pixel(p, t, error)
+    // Eight pixels at a time, vectors cost less than products and their bounds: products where f32 is not enough.
+    let (choice, left) = match per_pixel(p, t, error) {
+        (Choice::Exact, _) if enough(skips::PRODUCTS_ENOUGH, bounds.dots) => {
+            (Choice::Dots, room - bounds.dots)
+        }
+        other => other,
     };
     if choice == Choice::Exact {
         return Plan::whole(choice);

@@ -4,7 +4,8 @@
 
 use super::barycentric::{steps, weights};
 use super::corners::Corners;
-use super::shader::{Run, Shader};
+use super::one_pixel;
+use super::shader::{Constant, Draw, Run, Shader};
 use super::sweep::Sweep;
 use crate::geometry::{Prepared, ScreenTriangle};
 use crate::raster::{Point, Span};
@@ -21,6 +22,11 @@ pub trait Ends: Sync {
 
     /// The set-up of a triangle.
     fn triangle(&self, p: &Prepared, t: &ScreenTriangle, corners: &Corners) -> Self::Triangle;
+
+    /// The weights of vectors at a pixel from those on the screen: what the blend is made with that the ends stand for.
+    fn weights(&self, _: &Corners, w: [f64; 3]) -> [f64; 3] {
+        w
+    }
 
     /// The dot products of every light along a span.
     fn sweeps(
@@ -123,6 +129,7 @@ pub struct Along<D, S> {
 }
 
 impl<E: Ends, R: Response> Shader for Circular<E, R> {
+    const ONE_PIXEL: bool = true;
     type Triangle = Setup<E::Triangle>;
     type Run<'a>
         = Along<R::Diffuse<'a>, R::Specular<'a>>
@@ -160,6 +167,19 @@ impl<E: Ends, R: Response> Shader for Circular<E, R> {
                 })
                 .collect(),
         }
+    }
+
+    fn one_pixel<D: Draw>(
+        &self,
+        p: &Prepared,
+        setup: &Self::Triangle,
+        span: Span,
+        draw: D,
+    ) -> D::Out {
+        let (t, c) = (&p.triangles[setup.index], &setup.corners);
+        let w = weights(&t.position, span.start, span.y);
+        let colour = one_pixel::colour(t, c, w, self.ends.weights(c, w));
+        draw.draw(Constant(colour))
     }
 }
 

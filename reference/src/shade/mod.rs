@@ -33,6 +33,7 @@ pub mod negligible;
 pub mod newton;
 pub mod normals;
 pub mod object_space;
+pub mod one_pixel;
 pub mod paint;
 mod painted;
 pub mod phong;

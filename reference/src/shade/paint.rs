@@ -1,6 +1,7 @@
 //! What a triangle is painted with, worked out once per triangle; how pixels come of it is the renderer's business.
 
-use super::corners::Corners;
+use super::quadratic::{mid_normal, middle_weights, EDGES};
+use super::unit_normal;
 use crate::geometry::{Prepared, ScreenTriangle};
 use crate::scene::{Attenuation, Brdf, Highlight, LightKind};
 use glam::DVec3;
@@ -183,53 +184,67 @@ pub fn arithmetic(p: &Prepared, t: &ScreenTriangle) -> f64 {
 }
 
 impl Dots {
-    /// The knots of a triangle; `None` for materials and lights that it does not draw.
+    /// Unit normals at the six knots of a triangle.
     #[must_use]
-    pub fn new(p: &Prepared, index: usize) -> Option<Self> {
-        let t = &p.triangles[index];
+    pub fn normals(t: &ScreenTriangle) -> [DVec3; 6] {
+        let vertex = |i: usize| unit_normal(t, t.normal[i]);
+        let middle = |k: usize| mid_normal(t, k);
+        [
+            vertex(0),
+            vertex(1),
+            vertex(2),
+            middle(0),
+            middle(1),
+            middle(2),
+        ]
+    }
+
+    /// The knots of a triangle whose unit normals at the knots are `normal`, which triangles share ([`super::shared`]);
+    /// `None` for materials and lights that it does not draw.
+    #[must_use]
+    pub fn new(p: &Prepared, t: &ScreenTriangle, normal: [DVec3; 6]) -> Option<Self> {
         if !is_plain(p, t) {
             return None;
         }
-        let corners = Corners::new(p, index);
         let s = &p.surroundings;
-        let lights = s.reaching(&t.world).iter();
-        // Unit normals, positions and views at the six knots.
-        let mut normal = [DVec3::ZERO; 6];
-        let mut place = [DVec3::ZERO; 6];
-        for i in 0..3 {
-            (normal[i], place[i]) = (corners.normal[i], t.world[i]);
-        }
-        for (k, (i, j)) in super::quadratic::EDGES.into_iter().enumerate() {
-            let sum = t.inv_w[i] + t.inv_w[j];
-            let (qi, qj) = (t.inv_w[i] / sum, t.inv_w[j] / sum);
-            normal[3 + k] = super::unit_normal(t, t.normal[i] * qi + t.normal[j] * qj);
-            place[3 + k] = t.world[i] * qi + t.world[j] * qj;
-        }
-        let view = place.map(|x| s.view(x));
-        let term = |(k, corner): (usize, &super::corners::Term)| {
-            let light = if corner.constant {
-                [corner.light[0]; 6]
+        let m = s.material(t.material);
+        let place = |k: usize| {
+            if k < 3 {
+                return t.world[k];
+            }
+            let (i, j) = EDGES[k - 3];
+            let (qi, qj) = middle_weights(t, k - 3);
+            t.world[i] * qi + t.world[j] * qj
+        };
+        let half = |l: DVec3, x: DVec3| (l + s.view(x)).normalize_or_zero();
+        let shines = m.specular != DVec3::ZERO;
+        let term = |light: usize| {
+            let at = s.incident(light, t.world[0]);
+            // L and H at the knots: the same everywhere where light and viewer are far.
+            let vectors = if s.is_constant(light) {
+                [(at.direction, half(at.direction, t.world[0])); 6]
             } else {
-                place.map(|x| s.incident(k, x).direction)
+                [0, 1, 2, 3, 4, 5].map(|k| {
+                    let x = place(k);
+                    let l = s.incident(light, x).direction;
+                    (l, half(l, x))
+                })
             };
-            let knot = |i: usize| normal[i].dot((light[i] + view[i]).normalize_or_zero());
             DotsTerm {
-                light: [0, 1, 2, 3, 4, 5].map(|i| normal[i].dot(light[i])),
-                half: if !corner.shines() {
-                    [0.0; 6]
-                } else if corner.constant {
-                    normal.map(|n| n.dot(corner.half[0]))
+                light: [0, 1, 2, 3, 4, 5].map(|k| normal[k].dot(vectors[k].0)),
+                half: if shines {
+                    [0, 1, 2, 3, 4, 5].map(|k| normal[k].dot(vectors[k].1))
                 } else {
-                    [0, 1, 2, 3, 4, 5].map(knot)
+                    [0.0; 6]
                 },
-                diffuse: corner.diffuse[0],
-                specular: corner.specular[0],
+                diffuse: at.colour * m.diffuse * 255.0,
+                specular: at.colour * m.specular * 255.0,
             }
         };
         Some(Self {
-            terms: lights.zip(&corners.terms).map(term).collect(),
-            ambient: corners.ambient,
-            shininess: corners.shininess,
+            terms: s.reaching(&t.world).iter().map(term).collect(),
+            ambient: (m.emission + m.ambient) * 255.0,
+            shininess: m.shininess,
         })
     }
 }

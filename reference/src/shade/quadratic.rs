@@ -11,6 +11,7 @@ use super::shader::Shader;
 use super::{gouraud, shared, unit_normal};
 use crate::geometry::{Prepared, ScreenTriangle};
 use crate::raster::{Point, Span};
+use glam::DVec3;
 
 /// The vertices at the ends of each mid-edge knot.
 pub const EDGES: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
@@ -34,8 +35,14 @@ pub(crate) fn middle(p: &Prepared, t: &ScreenTriangle, k: usize) -> [f64; 3] {
     let (i, j) = EDGES[k];
     let (qi, qj) = middle_weights(t, k);
     let position = t.world[i] * qi + t.world[j] * qj;
-    let normal = unit_normal(t, t.normal[i] * qi + t.normal[j] * qj);
-    super::knot(p.surroundings.shade(t.material, position, normal))
+    super::knot(p.surroundings.shade(t.material, position, mid_normal(t, k)))
+}
+
+/// The unit normal in the middle of edge `k` of [`EDGES`].
+pub(crate) fn mid_normal(t: &ScreenTriangle, k: usize) -> DVec3 {
+    let (i, j) = EDGES[k];
+    let (qi, qj) = middle_weights(t, k);
+    unit_normal(t, t.normal[i] * qi + t.normal[j] * qj)
 }
 
 /// Perspective weights of the ends of edge `k` in its middle on the screen.

@@ -8,6 +8,8 @@ use crate::raster::Span;
 pub trait Shader: Sync {
     /// Whether this is the truth, or promises its distance from it, so that nothing put around it may be approximated.
     const EXACT: bool = false;
+    /// Whether a span of one pixel is drawn with less work than another one's start.
+    const ONE_PIXEL: bool = false;
     /// What is worked out once per triangle.
     type Triangle: Send + Sync;
     /// What changes along a span.
@@ -26,6 +28,26 @@ pub trait Shader: Sync {
         triangle: &'a Self::Triangle,
         span: Span,
     ) -> Self::Run<'a>;
+
+    /// Draws a span of one pixel: without a start where [`Shader::ONE_PIXEL`] says so.
+    fn one_pixel<D: Draw>(
+        &self,
+        p: &Prepared,
+        triangle: &Self::Triangle,
+        span: Span,
+        draw: D,
+    ) -> D::Out {
+        draw.draw(self.start(p, triangle, span))
+    }
+}
+
+/// What is done with a run.
+pub trait Draw {
+    /// Result.
+    type Out;
+
+    /// Does it.
+    fn draw(self, run: impl Run) -> Self::Out;
 }
 
 /// A walk along the pixels of a span.

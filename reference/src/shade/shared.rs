@@ -1,11 +1,11 @@
-//! Knots that triangles share are shaded once: a vertex of a closed mesh belongs to about six triangles and an edge to
-//! two, so six knots for each of T triangles are about 2T shadings in place of 6T. The knots are the same bits as
-//! without sharing, because what decides them is compared before one is taken over.
+//! Knots that triangles share are worked out once, colours and unit normals alike: a vertex of a closed mesh belongs to
+//! about six triangles and an edge to two, so six knots for each of T triangles are about 2T in place of 6T. The knots are the
+//! same bits as without sharing, because what decides them is compared before one is taken over.
 
 use crate::geometry::{Prepared, ScreenTriangle, UNSHARED};
 use crate::parallel;
 use crate::shade::quadratic::EDGES;
-use crate::shade::{gouraud, quadratic};
+use crate::shade::{gouraud, quadratic, unit_normal};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -168,14 +168,6 @@ impl Slots {
             slots: self.slots,
         }
     }
-
-    fn vertices(self, p: &Prepared) -> Part {
-        self.shade(|(t, i)| gouraud::vertex(p, &p.triangles[t], i))
-    }
-
-    fn edges(self, p: &Prepared) -> Part {
-        self.shade(|(t, k)| quadratic::middle(p, &p.triangles[t], k))
-    }
 }
 
 /// Knots of every triangle.
@@ -198,7 +190,8 @@ impl Table {
 pub(crate) fn vertices(p: &Prepared) -> Table {
     let size = part(p);
     let parts = parallel::parts(p.triangles.len(), size, Vec::new, |first, range| {
-        vertex_slots(p, range, first, |_| true).vertices(p)
+        let slots = vertex_slots(p, range, first, |_| true);
+        slots.shade(|(t, i)| gouraud::vertex(p, &p.triangles[t], i))
     });
     Table { size, parts }
 }
@@ -216,14 +209,35 @@ pub(crate) struct Six {
 }
 
 impl Six {
-    /// Shades every knot once in each part.
-    pub(crate) fn new(p: &Prepared) -> Self {
+    /// Colours.
+    pub(crate) fn colours(p: &Prepared) -> Self {
+        Self::new(
+            p,
+            |t, i| gouraud::vertex(p, t, i),
+            |t, k| quadratic::middle(p, t, k),
+        )
+    }
+
+    /// Unit normals.
+    pub(crate) fn normals(p: &Prepared) -> Self {
+        let vertex = |t: &ScreenTriangle, i: usize| unit_normal(t, t.normal[i]).to_array();
+        Self::new(p, vertex, |t, k| quadratic::mid_normal(t, k).to_array())
+    }
+
+    /// Works out every knot once in each part.
+    fn new(
+        p: &Prepared,
+        vertex: impl Fn(&ScreenTriangle, usize) -> [f64; 3] + Sync + Send,
+        edge: impl Fn(&ScreenTriangle, usize) -> [f64; 3] + Sync + Send,
+    ) -> Self {
         let size = part(p);
         let both = |(first, pairs): &mut (Vec<u32>, Pairs), range: Range<usize>| {
             let start = range.start;
             let vertices = vertex_slots(p, range, first, |_| true);
-            let edges = edge_slots(p, start, &vertices, pairs).edges(p);
-            (vertices.vertices(p), edges)
+            let edges = edge_slots(p, start, &vertices, pairs);
+            let edges = edges.shade(|(t, k)| edge(&p.triangles[t], k));
+            let vertices = vertices.shade(|(t, i)| vertex(&p.triangles[t], i));
+            (vertices, edges)
         };
         let parts = parallel::parts(p.triangles.len(), size, Default::default, both);
         let (vertices, edges) = parts.into_iter().unzip();
@@ -244,7 +258,7 @@ impl Six {
 
 /// [`quadratic::knots`] of every triangle.
 pub(crate) fn square(p: &Prepared) -> Vec<[[f64; 3]; 6]> {
-    let six = Six::new(p);
+    let six = Six::colours(p);
     parallel::fill(p.triangles.len(), |t| six.of(t))
 }
 
@@ -254,7 +268,8 @@ pub(crate) fn edges(p: &Prepared, wanted: impl Fn(usize) -> bool + Sync + Send) 
     let edges = |(first, pairs): &mut (Vec<u32>, Pairs), range: Range<usize>| {
         let start = range.start;
         let vertices = vertex_slots(p, range, first, &wanted);
-        edge_slots(p, start, &vertices, pairs).edges(p)
+        let slots = edge_slots(p, start, &vertices, pairs);
+        slots.shade(|(t, k)| quadratic::middle(p, &p.triangles[t], k))
     };
     let parts = parallel::parts(p.triangles.len(), size, Default::default, edges);
     Table { size, parts }
@@ -263,6 +278,7 @@ pub(crate) fn edges(p: &Prepared, wanted: impl Fn(usize) -> bool + Sync + Send) 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::shade::paint::Dots;
     use crate::{scene, Skips};
     use std::path::Path;
 
@@ -275,6 +291,11 @@ mod tests {
             for _ in 0..2 {
                 for (t, knots) in p.triangles.iter().zip(square(&p)) {
                     assert_eq!(knots, quadratic::knots(&p, t), "{name}");
+                }
+                let normals = Six::normals(&p);
+                for (i, t) in p.triangles.iter().enumerate() {
+                    let own = Dots::normals(t).map(|n| n.to_array());
+                    assert_eq!(normals.of(i), own, "{name}");
                 }
                 for (t, knots) in p.triangles.iter().zip(linear(&p)) {
                     assert_eq!(knots, gouraud::knots(&p, t), "{name}");

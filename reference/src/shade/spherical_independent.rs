@@ -9,13 +9,15 @@
 //! | span | 2 slerps for each vector, its angle, 2 sines and cosines |
 //! | triangle | 3 arcs |
 
+use super::barycentric::weights;
 use super::case::Case;
 use super::circular::{at, Ramp};
 use super::corners::Corners;
 use super::cut::Cut;
 use super::ends::{self, slerped};
+use super::one_pixel;
 use super::recurrence::{DeMoivre, Recurrence};
-use super::shader::{Run, Shader};
+use super::shader::{Constant, Draw, Run, Shader};
 use super::turn::Arc;
 use crate::geometry::Prepared;
 use crate::raster::Span;
@@ -90,6 +92,7 @@ pub struct Along {
 }
 
 impl Shader for SphericalIndependent {
+    const ONE_PIXEL: bool = true;
     type Triangle = Setup;
     type Run<'a> = Along;
 
@@ -125,6 +128,13 @@ impl Shader for SphericalIndependent {
                 })
                 .collect(),
         }
+    }
+
+    fn one_pixel<D: Draw>(&self, p: &Prepared, t: &Setup, span: Span, draw: D) -> D::Out {
+        let triangle = &p.triangles[t.index];
+        let w = weights(&triangle.position, span.start, span.y);
+        let colour = one_pixel::colour(triangle, &t.corners, w, w);
+        draw.draw(Constant(colour))
     }
 }
 

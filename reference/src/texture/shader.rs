@@ -4,7 +4,7 @@ use super::mapping::{Address, Mapping, Track};
 use super::{affine, Texture};
 use crate::geometry::Prepared;
 use crate::raster::Span;
-use crate::shade::shader::{Run, Shader};
+use crate::shade::shader::{Draw, Run, Shader};
 use crate::skips::{self, Skips};
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -63,6 +63,33 @@ impl<'a, S: Shader> Textured<'a, S> {
     }
 }
 
+impl<S> Textured<'_, S> {
+    /// The texels along a span, if the material has a texture.
+    fn texels<'b, T>(
+        &'b self,
+        p: &'b Prepared,
+        triangle: &TexturedTriangle<T>,
+        span: Span,
+    ) -> Option<TexelRun<'b>> {
+        triangle.address.as_ref().and_then(|(address, material)| {
+            let texture = p.surroundings.material(*material).texture.as_deref()?;
+            let pixels = span.end - span.start;
+            let track = address.start(span.start, span.y, pixels, self.constant_depth);
+            if matches!(track, Track::Line(_)) {
+                add(&self.counts.constant_depth, 1);
+            }
+            Some(TexelRun {
+                texture,
+                track,
+                looked_up: Cell::new(false),
+                unseen: 0,
+                skip_unseen: self.skip_unseen,
+                counts: &self.counts,
+            })
+        })
+    }
+}
+
 /// A triangle of the wrapped method and its address, if its material has a texture.
 pub struct TexturedTriangle<T> {
     inner: T,
@@ -76,6 +103,7 @@ pub struct TexturedRun<'a, R> {
 }
 
 impl<S: Shader> Shader for Textured<'_, S> {
+    const ONE_PIXEL: bool = S::ONE_PIXEL;
     type Triangle = TexturedTriangle<S::Triangle>;
     type Run<'b>
         = TexturedRun<'b, S::Run<'b>>
@@ -115,26 +143,37 @@ impl<S: Shader> Shader for Textured<'_, S> {
         triangle: &'b Self::Triangle,
         span: Span,
     ) -> Self::Run<'b> {
-        let texels = triangle.address.as_ref().and_then(|(address, material)| {
-            let texture = p.surroundings.material(*material).texture.as_deref()?;
-            let pixels = span.end - span.start;
-            let track = address.start(span.start, span.y, pixels, self.constant_depth);
-            if matches!(track, Track::Line(_)) {
-                add(&self.counts.constant_depth, 1);
-            }
-            Some(TexelRun {
-                texture,
-                track,
-                looked_up: Cell::new(false),
-                unseen: 0,
-                skip_unseen: self.skip_unseen,
-                counts: &self.counts,
-            })
-        });
         TexturedRun {
             inner: self.inner.start(p, &triangle.inner, span),
-            texels,
+            texels: self.texels(p, triangle, span),
         }
+    }
+
+    fn one_pixel<D: Draw>(
+        &self,
+        p: &Prepared,
+        triangle: &Self::Triangle,
+        span: Span,
+        draw: D,
+    ) -> D::Out {
+        let texels = self.texels(p, triangle, span);
+        let on = On { texels, draw };
+        self.inner.one_pixel(p, &triangle.inner, span, on)
+    }
+}
+
+/// Lays texels on a run.
+struct On<'a, D> {
+    texels: Option<TexelRun<'a>>,
+    draw: D,
+}
+
+impl<D: Draw> Draw for On<'_, D> {
+    type Out = D::Out;
+
+    fn draw(self, inner: impl Run) -> D::Out {
+        let Self { texels, draw } = self;
+        draw.draw(TexturedRun { inner, texels })
     }
 }
 

@@ -23,6 +23,10 @@ impl Ends for Blended {
 
     fn triangle(&self, _: &Prepared, _: &ScreenTriangle, _: &Corners) {}
 
+    fn weights(&self, c: &Corners, w: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|i| w[i] * c.weight[i])
+    }
+
     fn sweeps(
         &self,
         t: &ScreenTriangle,
@@ -38,7 +42,7 @@ impl Ends for Blended {
         };
         let q = [span.start, span.end - 1].map(|x| {
             let w = weights(&t.position, x, span.y);
-            [0, 1, 2].map(|i| w[i] * c.weight[i])
+            self.weights(c, w)
         });
         let blend = |v: &[DVec3; 3]| q.map(|q| v[0] * q[0] + v[1] * q[1] + v[2] * q[2]);
         let n = blend(&t.normal).map(|n| unit_normal(t, n));
