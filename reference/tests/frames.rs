@@ -3,6 +3,7 @@
 mod common;
 
 use common::{difference, draw, load, prepare, SCENES};
+use glam::{DMat4, DVec3};
 use shadegate_reference::raster::covers;
 use shadegate_reference::shade::{exact, flat, gouraud, quadratic};
 use shadegate_reference::{render, to_byte, Frame, Method, Prepared, RenderOptions, Skips};
@@ -99,6 +100,38 @@ fn skips_are_counted() {
         stats.pixels_tested,
         stats.pixels_shaded + stats.skipped["hidden"]
     );
+}
+
+/// A small ball before a large one that the scene names first.
+#[test]
+fn near_objects_are_drawn_first() {
+    let mut scene = load("sphere-690");
+    let towards = (scene.camera.eye - scene.camera.target).normalize();
+    let mut near = scene.objects[0].clone();
+    near.transform = DMat4::from_translation(towards * 1.5)
+        * DMat4::from_scale(DVec3::splat(0.3))
+        * near.transform;
+    scene.objects.push(near);
+    for method in [Method::Exact, Method::Gouraud, Method::Slerp] {
+        let [(first, kept), (frame, stats)] = ["front-to-back", ""].map(|without| {
+            let skips = Skips::without(without).unwrap();
+            let p = Prepared::new(&scene, None, &skips).unwrap();
+            let nearer = p.triangles.iter().filter(|t| t.object == 1).count() as u64;
+            assert_eq!(
+                p.skipped.get("front-to-back"),
+                without.is_empty().then_some(&nearer)
+            );
+            assert_eq!(p.triangles[0].object, usize::from(without.is_empty()));
+            let o = RenderOptions {
+                skips,
+                ..RenderOptions::default()
+            };
+            render(&p, method, &o)
+        });
+        assert!(first == frame, "{method}");
+        assert!(stats.skipped["hidden"] > kept.skipped.get("hidden").unwrap_or(&0) + 1000);
+        assert!(stats.pixels_shaded + 1000 < kept.pixels_shaded, "{method}");
+    }
 }
 
 /// The frame from the definitions alone: coverage by the rule, values straight from barycentric weights.
