@@ -122,7 +122,7 @@ pub fn knots(p: &Prepared, index: usize, method: Method) -> (Vec<[f64; 3]>, Mate
         (Some(t), Method::TaylorVertex) => Some(form(Taylor::Vertex.own(&c, t))),
         (Some(t), Method::XShading) => Some(form(XShading::Newton.own(&c, t))),
         (Some(t), Method::XShadingCached) => Some(form(XShading::Cached.own(&c, t))),
-        (Some(_), _) => Dots::new(p, index)
+        (Some(_), _) => Dots::new(p, &p.triangles[index], Dots::normals(&p.triangles[index]))
             .and_then(|d| d.terms.first().copied())
             .map(|t| [t.light, t.half]),
     };
