@@ -20,6 +20,7 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("constant_2", include_str!("interpolate/constant_2.rs")),
     ("cubic_1", include_str!("interpolate/cubic_1.rs")),
     ("edge_walk", include_str!("raster/edge_walk.rs")),
+    ("frame_pages", include_str!("depth/pages.rs")),
     ("gouraud_core", include_str!("shade/gouraud.rs")),
     ("lane_place", include_str!("line/place.rs")),
     ("line_cue", include_str!("line/cue.rs")),
@@ -72,7 +73,8 @@ pub const SOURCES: &[(&str, &str)] = &[
 #[must_use]
 pub fn source(name: &str) -> Option<&'static str> {
     // Memories are named after their sizes.
-    if name.starts_with("frame_memory") || name.starts_with("colour_memory") {
+    let of_pixels = ["frame_memory", "colour_memory", "page_memory"];
+    if of_pixels.iter().any(|m| name.starts_with(m)) {
         return Some(include_str!("depth/frame_memory.rs"));
     }
     if name.starts_with("weight_rom") {

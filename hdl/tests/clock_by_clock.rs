@@ -4,6 +4,8 @@
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use shadegate_hdl::depth::frame_memory::{FrameMemory, FrameMemoryModel};
+use shadegate_hdl::depth::pages::Pages;
+use shadegate_hdl::depth::pages_model::{PagesInputs, PagesModel};
 use shadegate_hdl::depth::z_buffer::{ZBuffer, ZBufferInputs, ZBufferModel};
 use shadegate_hdl::format::{wrap, Q, U};
 use shadegate_hdl::interpolate::constant_1::{Constant1, Constant1Model};
@@ -250,10 +252,43 @@ fn frame_memory() {
 }
 
 #[test]
+fn pages() {
+    let mut r = StdRng::seed_from_u64(13);
+    let mut s = Simulator::new(Pages::<6>::new(41)).unwrap();
+    let mut m = PagesModel::new(41);
+    let mut address = 0;
+    for clock in 0..CLOCKS {
+        if r.random() {
+            address = r.random_range(0..64);
+        }
+        let i = PagesInputs {
+            go: r.random_ratio(7, 8),
+            clear: r.random_ratio(1, 30),
+            fragment: r.random_ratio(7, 8).then_some(address),
+            // Also without a fragment, which no z-buffer does.
+            touch: r.random_ratio(3, 4),
+        };
+        let d = &mut s.design;
+        d.go.next = i.go;
+        d.clear.next = i.clear;
+        d.fragment.next = i.fragment.is_some();
+        d.address.next = U::new(address);
+        d.touch.next = i.touch;
+        s.clock();
+        m.clock(&i);
+        let d = &s.design;
+        let got = (d.held.val(), d.place.val().get(), d.present.val());
+        assert_eq!(got, (m.held, m.place, m.present()), "clock {clock}");
+        let got = (d.clearing.val(), d.cleared.val());
+        assert_eq!(got, (m.clearing(), m.cleared), "clock {clock}");
+    }
+}
+
+#[test]
 fn z_buffer() {
     let mut r = StdRng::seed_from_u64(11);
     let mut s = Simulator::new(ZBuffer::<5>::new(24)).unwrap();
-    let mut m = ZBufferModel::new(5, 24);
+    let mut m = ZBufferModel::new(24);
     let mut address = 0;
     for clock in 0..CLOCKS {
         // Consecutive hits on one address are the hazard: make them common.
@@ -280,9 +315,18 @@ fn z_buffer() {
         s.clock();
         m.clock(&i);
         assert_eq!(s.design.pass.val(), m.pass(), "pass, clock {clock}");
-        assert_eq!(s.design.waiting.val(), m.waiting, "waiting, clock {clock}");
         assert_eq!(
-            s.design.waiting_depth.val().get(),
+            s.design.waiting.val(),
+            m.waiting(),
+            "waiting, clock {clock}"
+        );
+        assert_eq!(
+            s.design.cleared.val(),
+            m.cleared(),
+            "cleared, clock {clock}"
+        );
+        assert_eq!(
+            s.design.tested_depth.val().get(),
             u64::from(m.depth),
             "depth, clock {clock}"
         );

@@ -2,6 +2,7 @@
 
 use rust_hdl_core::prelude::*;
 use shadegate_hdl::depth::frame_memory::{ColourMemory, FrameMemory};
+use shadegate_hdl::depth::pages::Pages;
 use shadegate_hdl::depth::z_buffer::ZBuffer;
 use shadegate_hdl::interpolate::constant_1::Constant1;
 use shadegate_hdl::interpolate::constant_2::Constant2;
@@ -71,6 +72,7 @@ fn every_description_lists_its_ports() {
     check_ports(&EdgeWalk::default()).unwrap();
     check_ports(&Shell::<17>::default()).unwrap();
     check_ports(&FrameMemory::<6>::new(41)).unwrap();
+    check_ports(&Pages::<6>::new(41)).unwrap();
     check_ports(&ZBuffer::<6>::new(41)).unwrap();
     check_ports(&Saturate::default()).unwrap();
     check_ports(&PixelStream::<6>::new(41)).unwrap();

@@ -105,9 +105,12 @@ fn empty_rows(order: Order, seed: u64) {
         assert_eq!(taken(&trace, |_| true), t.drawn(m.kind, SIZE));
         let (mirrored, spans) = t.raw_spans(SIZE);
         let cost: usize = spans.iter().map(|s| row_cost(mirrored, *s)).sum();
-        // Five clocks from the last word to the first pixel.
         let last = *valid_range(&trace).end();
-        assert!(last < words + 4 + cost, "{last} {words} {cost} {spans:?}");
+        let latency = m.kind.latency() as usize;
+        assert!(
+            last < words - 1 + latency + cost,
+            "{last} {words} {cost} {spans:?}"
+        );
         check_done(&trace);
     }
 }

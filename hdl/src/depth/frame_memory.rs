@@ -11,10 +11,15 @@ pub type FrameMemory<const A: usize> = PixelMemory<A, 16>;
 /// The frame memory of a line core: a colour of 24 bits per pixel. Colours are kept relative to the background (exclusive
 /// or), so zeros are an empty frame of whatever background.
 pub type ColourMemory<const A: usize> = PixelMemory<A, 24>;
+/// What is current of a frame memory: 18 bits per page, see [`super::pages`].
+pub type PageMemory<const A: usize> = PixelMemory<A, 18>;
 /// Integer model of [`FrameMemory`].
 pub type FrameMemoryModel = PixelMemoryModel<u16>;
 /// Integer model of [`ColourMemory`].
 pub type ColourMemoryModel = PixelMemoryModel<u32>;
+
+/// Integer model of [`PageMemory`].
+pub type PageMemoryModel = PixelMemoryModel<u32>;
 
 /// `A` address bits, words of `W` bits, 32 at most. Accesses beyond the last word read nothing and write nothing.
 #[derive(LogicBlock)]
@@ -51,6 +56,14 @@ impl<const A: usize> ColourMemory<A> {
     #[must_use]
     pub fn new(words: usize) -> Self {
         Self::named(words, "colour_memory", "Frame memory of {} colours")
+    }
+}
+
+impl<const A: usize> PageMemory<A> {
+    /// A memory of `words` words, at least two and at most 2^A.
+    #[must_use]
+    pub fn new(words: usize) -> Self {
+        Self::named(words, "page_memory", "Page memory of {} words")
     }
 }
 

@@ -12,7 +12,7 @@ use crate::simulate::{Quiet, Register, Wire};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
 
-/// `A` is the width of a frame address. Latency: seven clocks from a fragment to its offered pixel.
+/// `A` is the width of a frame address. Latency: eight clocks from a fragment to its offered pixel.
 #[derive(LogicBlock)]
 pub struct LitStream<const A: usize> {
     /// Clock.
@@ -155,7 +155,7 @@ impl<const A: usize> Logic for LitStream<A> {
         );
         comment!("equation I = ambient + diffuse D + highlight S in every channel");
         comment!("source Abbas 2003, section 6.3 and figure 6.6; the stages overlap.");
-        comment!("latency Seven clocks from fragment to valid.");
+        comment!("latency Eight clocks from fragment to valid.");
         dff_setup!(self, clock, material_first, material_second);
         self.moves.next = self.stream.go.val();
         if self.moves.val() {

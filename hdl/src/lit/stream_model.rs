@@ -58,21 +58,23 @@ pub struct LitStreamModel {
     channels: [LitChannelModel; 3],
     z_buffer: ZBufferModel,
     drawn: Pixel,
+    tested: Pixel,
     out: Pixel,
     out_valid: bool,
     was_busy: bool,
 }
 
 impl LitStreamModel {
-    /// A stream with frame addresses of `address_bits` and a depth memory of `pixels` words.
+    /// A stream over a depth memory of `pixels` words.
     #[must_use]
-    pub fn new(address_bits: usize, pixels: usize) -> Self {
+    pub fn new(pixels: usize) -> Self {
         Self {
             stages: Default::default(),
             materials: Default::default(),
             channels: Default::default(),
-            z_buffer: ZBufferModel::new(address_bits, pixels),
+            z_buffer: ZBufferModel::new(pixels),
             drawn: Pixel::default(),
+            tested: Pixel::default(),
             out: Pixel::default(),
             out_valid: false,
             was_busy: false,
@@ -85,7 +87,7 @@ impl LitStreamModel {
         !self.out_valid || ready
     }
 
-    /// Whether the depth memory is being cleared.
+    /// Whether a clear is not complete.
     #[must_use]
     pub fn clearing(&self) -> bool {
         self.z_buffer.clearing()
@@ -94,8 +96,9 @@ impl LitStreamModel {
     fn busy(&self, walking: bool) -> bool {
         walking
             || self.stages.iter().any(|s| s.held)
-            || self.z_buffer.waiting
+            || self.z_buffer.waiting()
             || self.z_buffer.clearing()
+            || self.z_buffer.cleared()
             || self.out_valid
     }
 
@@ -131,8 +134,9 @@ impl LitStreamModel {
             self.out_valid = self.z_buffer.pass();
             self.out = Pixel {
                 depth: self.z_buffer.depth,
-                ..self.drawn
+                ..self.tested
             };
+            self.tested = self.drawn;
             self.drawn = Pixel {
                 fragment: last,
                 rgb: [0, 1, 2].map(|c| saturate_model(self.channels[c].value())),

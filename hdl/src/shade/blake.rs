@@ -137,7 +137,7 @@ impl<const A: usize> Logic for BlakeCore<A> {
         comment!("title Blake shading core: angular interpolation with quadratic pieces, depth test, pixel stream.");
         comment!("equation I = ambient + diffuse q(psi, 1) + highlight q(psi, n), q quadratic between the ends of its pieces");
         comment!("source Blake, Disselkoen and Kuijk 1992, equations 4 to 8, section 3 and appendix; errata put right by the host.");
-        comment!("latency Nine clocks from start to the first pixel; then one pixel per clock.");
+        comment!("latency Ten clocks from start to the first pixel; then one pixel per clock.");
         // Register file.
         self.accept.next = self.write.val() && self.shell.load_ready.val();
         self.word.next = self.select.val().get_bits::<4>(0);

@@ -129,7 +129,7 @@ impl<const A: usize> Logic for ChebyshevCore<A> {
         comment!("title Slerp shading core by Chebyshev's recurrence, for comparison; depth test, pixel stream.");
         comment!("equation I = ambient + diffuse max(0, N.L) + highlight max(0, N.H)^n, both cosines by I(k+1) = U I(k) - I(k-1)");
         comment!("source Hast 2004, equations 3.38 to 3.45.");
-        comment!("latency Nine clocks from start to the first pixel; then one pixel per clock.");
+        comment!("latency Ten clocks from start to the first pixel; then one pixel per clock.");
         // Register file.
         self.accept.next = self.write.val() && self.shell.load_ready.val();
         self.word.next = self.select.val().get_bits::<4>(0);

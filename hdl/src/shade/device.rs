@@ -16,6 +16,7 @@ use super::quadratic_dots::QuadraticDotsCore;
 use super::slerp::SlerpCore;
 use super::spherical::SphericalCore;
 use super::COLOUR_INTEGER_BITS;
+use crate::depth::pages::pages;
 use crate::format::U;
 use crate::line::box_filter::BoxCore;
 use crate::line::bresenham::BresenhamCore;
@@ -143,7 +144,7 @@ impl Core {
     /// Clocks from the edge that takes `start` to the edge at which the first pixel can be taken, in an idle core.
     #[must_use]
     pub fn latency(&self) -> u32 {
-        5 + match self.order {
+        6 + match self.order {
             Order::Linear | Order::Quadratic => 0,
             Order::QuadraticDots => STAGES as u32,
             Order::Duff => (unit_cosines::STAGES + STAGES) as u32,
@@ -153,14 +154,14 @@ impl Core {
         }
     }
 
-    /// Bits of the depth memory, or of the frame memory of a line core.
+    /// Bits of the depth memory and its pages, or of the frame memory of a line core.
     #[must_use]
     pub fn memory_bits(&self) -> u64 {
-        let per_pixel = match self.order {
-            Order::Line(filter) => filter.memory_bits(),
-            _ => 16,
-        };
-        self.pixels as u64 * per_pixel
+        let pixels = self.pixels as u64;
+        match self.order {
+            Order::Line(filter) => pixels * filter.memory_bits(),
+            _ => 16 * pixels + 18 * pages(self.pixels) as u64,
+        }
     }
 
     /// Width of the register bus.

@@ -183,7 +183,9 @@ impl<const N: usize, const B: usize, const A: usize> Logic for DuffCore<N, B, A>
         comment!("title Phong shading by a root per pixel, depth test, pixel stream.");
         comment!("equation I = ambient + diffuse max(0, p/sqrt(q)) + specular max(0, h/sqrt(q))^n; p, h linear, q quadratic in x and y");
         comment!("source Duff 1979; Hast 2004, equations 2.44 and 3.234 to 3.241.");
-        comment!("latency Twenty clocks from start to the first pixel; then one pixel per clock.");
+        comment!(
+            "latency Twenty-one clocks from start to the first pixel; then one pixel per clock."
+        );
         dff_setup!(self, clock, draining);
         // Register file.
         self.open.next = self.shell.load_ready.val() && !self.draining.q.val();

@@ -130,7 +130,7 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
         comment!("title Gouraud shading core: linear colours, depth test, pixel stream.");
         comment!("equation I(x, y) = T2 x + T1 y + T0 per channel, by forward differences");
         comment!("source Abbas 2003, chapter 4 and figure 4.5.");
-        comment!("latency Five clocks from start to the first pixel; then one pixel per clock.");
+        comment!("latency Six clocks from start to the first pixel; then one pixel per clock.");
         // Register file.
         self.accept.next = self.write.val() && self.shell.load_ready.val();
         self.word.next = self.select.val().get_bits::<4>(0);

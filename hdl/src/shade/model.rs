@@ -173,6 +173,7 @@ pub struct CoreModel {
     depth: Linear2Model,
     z_buffer: ZBufferModel,
     drawn: Pixel,
+    tested: Pixel,
     out: Pixel,
     out_valid: bool,
     was_busy: bool,
@@ -210,8 +211,9 @@ impl CoreModel {
             },
             reflection: Reflection::of(order),
             depth: Linear2Model::default(),
-            z_buffer: ZBufferModel::new(address_bits, pixels),
+            z_buffer: ZBufferModel::new(pixels),
             drawn: Pixel::default(),
+            tested: Pixel::default(),
             out: Pixel::default(),
             out_valid: false,
             was_busy: false,
@@ -241,8 +243,9 @@ impl CoreModel {
 
     fn busy(&self, shell_busy: bool) -> bool {
         self.walking(shell_busy)
-            || self.z_buffer.waiting
+            || self.z_buffer.waiting()
             || self.z_buffer.clearing()
+            || self.z_buffer.cleared()
             || self.out_valid
     }
 
@@ -341,8 +344,9 @@ impl CoreModel {
             self.out_valid = self.z_buffer.pass();
             self.out = Pixel {
                 depth: self.z_buffer.depth,
-                ..self.drawn
+                ..self.tested
             };
+            self.tested = self.drawn;
             self.drawn = Pixel {
                 ordinal: arrived.ordinal,
                 x: arrived.x,

@@ -1,8 +1,9 @@
 //! The pixel stream behind the interpolants: clamp, depth test, and a register that holds each visible pixel until it is
 //! taken. All cores share it.
 //!
-//! Three stages: the fragment (pixel registers of the interpolants), the *drawn* pixel waiting for its depth verdict,
-//! the *offered* pixel. They move together; only an offered pixel that nobody takes stops them (`go` falls).
+//! Four stages: the fragment (pixel registers of the interpolants), the *drawn* pixel waiting for the stored depth, the
+//! *tested* pixel, the *offered* pixel. They move together; only an offered pixel that nobody takes stops them (`go`
+//! falls).
 
 use super::saturate::Saturate;
 use crate::depth::z_buffer::ZBuffer;
@@ -11,7 +12,7 @@ use crate::simulate::{Quiet, Register, Wire};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
 
-/// `A` is the width of a frame address. Latency: two clocks from a fragment to its offered pixel.
+/// `A` is the width of a frame address. Latency: three clocks from a fragment to its offered pixel.
 #[derive(LogicBlock)]
 pub struct PixelStream<const A: usize> {
     /// Clock.
@@ -40,7 +41,7 @@ pub struct PixelStream<const A: usize> {
     pub fragment_depth: Signal<In, Q<15, 0>>,
     /// The stages move.
     pub go: Signal<Out, Bit>,
-    /// The depth memory is being cleared.
+    /// Nothing may be drawn yet: a clear is not complete.
     pub clearing: Signal<Out, Bit>,
     /// A visible pixel is offered; held until `ready`.
     pub valid: Signal<Out, Bit>,
@@ -60,7 +61,7 @@ pub struct PixelStream<const A: usize> {
     pub busy: Signal<Out, Bit>,
     /// Pulses for one clock when `busy` falls.
     pub done: Signal<Out, Bit>,
-    /// Column of the fragment before the depth verdict.
+    /// Column of the fragment before its stored depth is here.
     drawn_x: Register<U<11>>,
     /// Its row.
     drawn_y: Register<U<11>>,
@@ -70,6 +71,16 @@ pub struct PixelStream<const A: usize> {
     drawn_green: Register<U<8>>,
     /// Its blue.
     drawn_blue: Register<U<8>>,
+    /// Column of the tested fragment.
+    tested_x: Register<U<11>>,
+    /// Its row.
+    tested_y: Register<U<11>>,
+    /// Its red.
+    tested_red: Register<U<8>>,
+    /// Its green.
+    tested_green: Register<U<8>>,
+    /// Its blue.
+    tested_blue: Register<U<8>>,
     /// A visible pixel is offered.
     out_valid: Register<Bit>,
     /// Its column.
@@ -137,6 +148,11 @@ impl<const A: usize> PixelStream<A> {
             drawn_red: Default::default(),
             drawn_green: Default::default(),
             drawn_blue: Default::default(),
+            tested_x: Default::default(),
+            tested_y: Default::default(),
+            tested_red: Default::default(),
+            tested_green: Default::default(),
+            tested_blue: Default::default(),
             out_valid: Default::default(),
             out_x: Default::default(),
             out_y: Default::default(),
@@ -164,7 +180,7 @@ impl<const A: usize> Logic for PixelStream<A> {
         comment!("title Clamp, depth test and output register of a core; valid/ready hand-over.");
         comment!("equation offered pixels = fragments nearer than everything drawn before at their place");
         comment!("source Abbas 2003, section 4.2 and figure 4.5, as a stream with back pressure.");
-        comment!("latency Two clocks from fragment to valid.");
+        comment!("latency Three clocks from fragment to valid.");
         dff_setup!(
             self,
             clock,
@@ -173,6 +189,11 @@ impl<const A: usize> Logic for PixelStream<A> {
             drawn_red,
             drawn_green,
             drawn_blue,
+            tested_x,
+            tested_y,
+            tested_red,
+            tested_green,
+            tested_blue,
             out_valid,
             out_x,
             out_y,
@@ -188,6 +209,7 @@ impl<const A: usize> Logic for PixelStream<A> {
         self.is_busy.next = self.walking.val()
             || self.z_buffer.waiting.val()
             || self.z_buffer.clearing.val()
+            || self.z_buffer.cleared.val()
             || self.out_valid.q.val();
 
         self.red_byte.value.next = self.fragment_red.val();
@@ -208,13 +230,18 @@ impl<const A: usize> Logic for PixelStream<A> {
             self.drawn_red.d.next = self.red_byte.level.val();
             self.drawn_green.d.next = self.green_byte.level.val();
             self.drawn_blue.d.next = self.blue_byte.level.val();
+            self.tested_x.d.next = self.drawn_x.q.val();
+            self.tested_y.d.next = self.drawn_y.q.val();
+            self.tested_red.d.next = self.drawn_red.q.val();
+            self.tested_green.d.next = self.drawn_green.q.val();
+            self.tested_blue.d.next = self.drawn_blue.q.val();
             self.out_valid.d.next = self.z_buffer.pass.val();
-            self.out_x.d.next = self.drawn_x.q.val();
-            self.out_y.d.next = self.drawn_y.q.val();
-            self.out_red.d.next = self.drawn_red.q.val();
-            self.out_green.d.next = self.drawn_green.q.val();
-            self.out_blue.d.next = self.drawn_blue.q.val();
-            self.out_depth.d.next = self.z_buffer.waiting_depth.val();
+            self.out_x.d.next = self.tested_x.q.val();
+            self.out_y.d.next = self.tested_y.q.val();
+            self.out_red.d.next = self.tested_red.q.val();
+            self.out_green.d.next = self.tested_green.q.val();
+            self.out_blue.d.next = self.tested_blue.q.val();
+            self.out_depth.d.next = self.z_buffer.tested_depth.val();
         }
 
         self.was_busy.d.next = self.is_busy.val();

@@ -136,7 +136,7 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
         comment!("title Quadratic shading core: six-knot colours, depth test, pixel stream.");
         comment!("equation I(x, y) = T5 x^2 + T4 x y + T3 y^2 + T2 x + T1 y + T0 per channel, by forward differences");
         comment!("source Abbas 2003, chapter 7 and appendix; set-up Hast 2004, equations 3.213 to 3.233.");
-        comment!("latency Five clocks from start to the first pixel; then one pixel per clock.");
+        comment!("latency Six clocks from start to the first pixel; then one pixel per clock.");
         // Register file.
         self.accept.next = self.write.val() && self.shell.load_ready.val();
         self.word.next = self.select.val().get_bits::<4>(0);

@@ -157,7 +157,7 @@ impl<const N: usize, const B: usize, const A: usize> Logic for QuadraticDotsCore
         comment!("title Quadratic dot products, the reflection model per pixel, depth test, pixel stream.");
         comment!("equation I = ambient + diffuse max(0, N.L) + specular max(0, N.H)^n; N.L and N.H quadratic in x and y");
         comment!("source Six-knot quadrics of Abbas 2003, chapter 7, of the dot products instead of the colours.");
-        comment!("latency Eleven clocks from start to the first pixel; then one pixel per clock.");
+        comment!("latency Twelve clocks from start to the first pixel; then one pixel per clock.");
         dff_setup!(self, clock, draining);
         // Register file.
         self.open.next = self.shell.load_ready.val() && !self.draining.q.val();

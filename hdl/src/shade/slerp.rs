@@ -133,7 +133,7 @@ impl<const A: usize> Logic for SlerpCore<A> {
         comment!("title Slerp shading core: cosines of a turning normal by differences, power by table, depth test, pixel stream.");
         comment!("equation I = ambient + diffuse max(0, N.L) + highlight max(0, N.H)^n, both cosines by d -= kappa I, I += d");
         comment!("source Hast 2004, section 3.2 and equations 3.38 to 3.45, in difference form; Hast, Barrera and Bengtsson 2003.");
-        comment!("latency Nine clocks from start to the first pixel; then one pixel per clock.");
+        comment!("latency Ten clocks from start to the first pixel; then one pixel per clock.");
         // Register file.
         self.accept.next = self.write.val() && self.shell.load_ready.val();
         self.word.next = self.select.val().get_bits::<4>(0);

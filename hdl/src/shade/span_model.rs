@@ -125,7 +125,7 @@ impl SpanModel {
             loader: TableLoaderModel::default(),
             depth: LinearSpanModel::default(),
             factors: Factors::new(kind),
-            stream: LitStreamModel::new(address_bits, pixels),
+            stream: LitStreamModel::new(pixels),
         }
     }
 

@@ -163,7 +163,7 @@ impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: us
             "equation I = ambient + diffuse A cos(xi) + highlight A^n f(eta), f = cos^2 or cos^n"
         );
         comment!("source Abbas 2003, chapter 6, equations 6.6 to 6.11 and figure 6.6; phase widened, nothing wraps.");
-        comment!("latency Nine clocks from start to the first pixel; then one pixel per clock.");
+        comment!("latency Ten clocks from start to the first pixel; then one pixel per clock.");
         dff_setup!(self, clock, material_first);
         // Register file.
         self.accept.next = self.write.val() && self.shell.load_ready.val();
