@@ -20,6 +20,7 @@ fn good() -> Triangle {
         depth: [1.0, 2.0, 3.0],
         knots: vec![[10.0; 3]; 6],
         material: None,
+        covering: None,
         label: "object 2, face 7".into(),
     }
 }

@@ -38,6 +38,7 @@ fn triangle(order: Order, (width, height): (u32, u32)) -> Triangle {
         depth: [50_000.0, 30_000.0, 20_000.0],
         knots: cosines(order, knots),
         material: material(order),
+        covering: None,
         label: "example".to_owned(),
     }
 }
