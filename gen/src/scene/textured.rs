@@ -4,8 +4,8 @@ use super::Unsuited;
 use crate::stimulus::{Covering, Picture, Triangle};
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
-use shadegate_hdl::texture::{Texturing, MAX_SIDE, MAX_TEXELS_LOG2, USUAL_TEXELS_LOG2};
 use shadegate_hdl::texture::Mapping as Address;
+use shadegate_hdl::texture::{Texturing, MAX_SIDE, MAX_TEXELS_LOG2, USUAL_TEXELS_LOG2};
 use shadegate_reference::scene::Material;
 use shadegate_reference::texture::{Filter, Footprint, Mapping, Texture, Wrap};
 use shadegate_reference::{Prepared, Scene, ScreenTriangle};
@@ -94,10 +94,12 @@ pub fn texturing(scene: &Scene) -> Result<Texturing, Unsuited> {
             (old, Mapping::Affine) => old,
             (Some((old, _)), new) if old == new => Some((old, name)),
             (Some((_, first)), _) => {
-                let what = format!(
-                    "materials '{first}' and '{name}' have textures of different mappings"
-                );
-                return Err(refuse(what, "quadratic or perspective mapping, beside affine"));
+                let what =
+                    format!("materials '{first}' and '{name}' have textures of different mappings");
+                return Err(refuse(
+                    what,
+                    "quadratic or perspective mapping, beside affine",
+                ));
             }
         };
         if !pictures.iter().any(|t| Arc::ptr_eq(t, texture)) {

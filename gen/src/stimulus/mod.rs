@@ -15,4 +15,4 @@ pub use lines::{build_lines, Line};
 pub use material::{greatest_exponent, Material};
 pub use sample::{sample, sample_triangles};
 pub use sample_lines::{sample_lines, single_line};
-pub use texture::{texels_log2, Covering, Picture};
+pub use texture::{Covering, Picture};

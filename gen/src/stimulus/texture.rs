@@ -132,13 +132,6 @@ impl Pictures {
     }
 }
 
-/// Texels needed by the pictures of these triangles, as a power of two.
-#[must_use]
-pub fn texels_log2(triangles: &[Triangle]) -> u32 {
-    let texels = Pictures::new(triangles).texels();
-    texels.next_power_of_two().trailing_zeros()
-}
-
 /// Greatest knot of a colour that is multiplied: 4/3 of it, times 256/255, stay below 2048.
 const BRIGHTEST: f64 = 1528.0;
 
@@ -186,7 +179,12 @@ fn perspective(f: &Frame, uv: &[Vec<f64>; 2], w: [f64; 3]) -> Result<AddressWord
     })
 }
 
-fn address_words(core: &Core, t: Texturing, f: &Frame, c: &Covering) -> Result<AddressWords, String> {
+fn address_words(
+    core: &Core,
+    t: Texturing,
+    f: &Frame,
+    c: &Covering,
+) -> Result<AddressWords, String> {
     let knots = match t.mapping {
         Mapping::Quadratic => 6,
         _ => 3,
@@ -211,9 +209,8 @@ fn address_words(core: &Core, t: Texturing, f: &Frame, c: &Covering) -> Result<A
     let mut uv = [vec![], vec![]];
     for (i, side) in [c.picture.width, c.picture.height].into_iter().enumerate() {
         let values: Vec<f64> = c.address.iter().map(|a| a[i] + shift).collect();
-        uv[i] = centred(&values, side, reach).ok_or_else(|| {
-            format!("the texture spans more than {} texels on it", 2.0 * reach)
-        })?;
+        uv[i] = centred(&values, side, reach)
+            .ok_or_else(|| format!("the texture spans more than {} texels on it", 2.0 * reach))?;
     }
     let (int, frac) = t.mapping.format(core.wide);
     let width = (1 + int + frac) as u32;
@@ -244,7 +241,10 @@ impl Writer<'_> {
         let base = pictures.place(&c.picture).unwrap_or(0) as u64;
         let place = base | u64::from(c.nearest) << BANK_BITS;
         let mut words = vec![];
-        for (select, data) in [(select::PLACE, place), (select::SIZE, c.picture.size_word())] {
+        for (select, data) in [
+            (select::PLACE, place),
+            (select::SIZE, c.picture.size_word()),
+        ] {
             if self.needed(select, data) {
                 words.push((select, data));
             }
@@ -271,7 +271,14 @@ impl Writer<'_> {
         let covering = match &t.covering {
             Some(c) => c,
             None => {
-                let address = vec![[0.0, 0.0, 1.0]; if texturing.mapping == Mapping::Quadratic { 6 } else { 3 }];
+                let address = vec![
+                    [0.0, 0.0, 1.0];
+                    if texturing.mapping == Mapping::Quadratic {
+                        6
+                    } else {
+                        3
+                    }
+                ];
                 white = Covering {
                     picture: Picture::white().into(),
                     nearest: true,

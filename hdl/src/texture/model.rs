@@ -50,7 +50,7 @@ impl Words {
                 0 => part,
                 _ => (1 << ADDRESS_FRACTION_BITS) - part,
             };
-            ([pair + odd & pairs, pair & pairs], weight)
+            ([(pair + odd) & pairs, pair & pairs], weight)
         };
         let (columns, x) = one(address[0], self.column_mask);
         let (rows, y) = one(address[1], self.row_mask);

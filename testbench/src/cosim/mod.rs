@@ -4,7 +4,7 @@ mod frames;
 mod lines;
 mod report;
 mod span_oracle;
-mod texture_oracle;
+pub mod texture_oracle;
 mod write;
 
 pub use report::{CosimReport, ErrorReport, FirstMismatch, FormatReport, HostReport, TimeReport};
@@ -242,10 +242,7 @@ pub fn prelude(
 fn method_options(core: &Core) -> RenderOptions {
     let mut options = RenderOptions::default();
     if matches!(core.order, Order::Textured(_)) {
-        options.skips = options
-            .skips
-            .but(skips::AFFINE)
-            .but(skips::CONSTANT_DEPTH);
+        options.skips = options.skips.but(skips::AFFINE).but(skips::CONSTANT_DEPTH);
     }
     options
 }

@@ -48,7 +48,8 @@ fn bilinear(c: &Covering, [u, v]: [f64; 2]) -> [f64; 3] {
     let (u, v) = (u - 0.5, v - 0.5);
     let (x, y) = (u.floor(), v.floor());
     let (f, g) = (u - x, v - y);
-    let four = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)].map(|(i, j)| texel(c, x + i, y + j));
+    let four =
+        [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)].map(|(i, j)| texel(c, x + i, y + j));
     std::array::from_fn(|k| {
         let row = |a: usize| four[a][k] * (1.0 - f) + four[a + 1][k] * f;
         row(0) * (1.0 - g) + row(2) * g

@@ -59,7 +59,11 @@ fn words_of_the_texture() -> [Register; 4] {
             "place",
             "where the picture begins",
             vec![
-                field(BANK_BITS, BANK_BITS, "nearest texel instead of a bilinear mean"),
+                field(
+                    BANK_BITS,
+                    BANK_BITS,
+                    "nearest texel instead of a bilinear mean",
+                ),
                 field(BANK_BITS - 1, 0, "texels before it, divided by four"),
             ],
         ),
