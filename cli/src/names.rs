@@ -3,9 +3,10 @@
 use crate::outcome::Failure;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
-use shadegate_gen::scene::{order_of, CORES, LINES};
+use shadegate_gen::scene::{is_textured, order_for, order_of, CORES, LINES, TEXTURED};
 use shadegate_gen::wrapper::Wrapper;
 use shadegate_hdl::shade::device::Core;
+use shadegate_hdl::shade::model::Order;
 use shadegate_reference::antialias::Antialias;
 use shadegate_reference::line::LineFilter;
 use shadegate_reference::method::UnknownName;
@@ -49,7 +50,14 @@ pub fn antialiasing() -> Vec<&'static str> {
 /// Names of the cores; the method, or the filter of lines, that a core draws has the same name.
 pub fn cores() -> Vec<&'static str> {
     let triangles = CORES.iter().map(|c| c.0);
-    triangles.chain(LINES.iter().map(|l| l.0)).collect()
+    let lines = LINES.iter().map(|l| l.0);
+    let textured = TEXTURED.iter().map(|t| t.0);
+    triangles.chain(textured).chain(lines).collect()
+}
+
+/// The textured core of this name.
+fn textured(name: &str) -> Option<Order> {
+    TEXTURED.iter().find(|t| t.0 == name).map(|t| t.1)
 }
 
 /// Engines of the co-simulation.
@@ -111,6 +119,8 @@ pub enum Drawing {
     Shaded(Method),
     /// Lines, by a filter.
     Lines(LineFilter),
+    /// Triangles with a texture, by one of the textured cores.
+    Textured(Order),
 }
 
 impl Drawing {
@@ -119,6 +129,13 @@ impl Drawing {
         match self {
             Self::Shaded(method) => method.name(),
             Self::Lines(filter) => filter.name(),
+            Self::Textured(order) => {
+                let same = |t: &&(&'static str, Order)| match (t.1, order) {
+                    (Order::Textured(a), Order::Textured(b)) => a.mapping == b.mapping,
+                    _ => false,
+                };
+                TEXTURED.iter().find(same).map_or("textured", |t| t.0)
+            }
         }
     }
 
@@ -127,6 +144,9 @@ impl Drawing {
         match self {
             Self::Shaded(method) => core_for(method, width, height),
             Self::Lines(filter) => line_core_for(filter, width, height),
+            Self::Textured(order) => {
+                Core::for_frame(order, width, height).ok_or(CosimError::TooLarge { width, height })
+            }
         }
     }
 }
@@ -137,9 +157,10 @@ fn filter_of(name: &str) -> Option<LineFilter> {
 
 /// What the core of this name draws.
 pub fn drawing(name: &str) -> Result<Drawing, Failure> {
-    match filter_of(name) {
-        Some(filter) => Ok(Drawing::Lines(filter)),
-        None => core(name).map(Drawing::Shaded),
+    match (filter_of(name), textured(name)) {
+        (Some(filter), _) => Ok(Drawing::Lines(filter)),
+        (None, Some(order)) => Ok(Drawing::Textured(order)),
+        (None, None) => core(name).map(Drawing::Shaded),
     }
 }
 
@@ -151,6 +172,12 @@ pub fn check_names(method_name: Option<&str>, core_name: Option<&str>) -> Result
             format!("core '{c}' does not draw method '{m}'; leave out one of --core and --method"),
         )),
         (m, c) if line(m) || line(c) => Ok(()),
+        (m, Some(c)) if textured(c).is_some() => match m.map(method).transpose()? {
+            None | Some(Method::Gouraud | Method::Quadratic) => Ok(()),
+            Some(m) => Err(Failure::input(format!(
+                "core '{c}' does not draw method '{m}'; expected method gouraud or quadratic"
+            ))),
+        },
         (m, c) => hardware_method(m, c, Method::Quadratic).map(|_| ()),
     }
 }
@@ -180,12 +207,35 @@ pub fn drawing_of(
             "core '{name}' draws wireframes, and the scene has none; cores of triangles: {}",
             CORES.map(|c| c.0).join(", ")
         ))),
-        (false, _, None) => {
-            hardware_method(method_name, core_name, scene.render.method).map(Drawing::Shaded)
-        }
+        (false, _, None) => shaded(method_name, core_name, scene).map(Drawing::Shaded),
         // No name, no filter.
         (false, None, Some(_)) => hardware_method(None, None, scene.render.method).map(Drawing::Shaded),
     }
+}
+
+/// The method of a scene of triangles. A core that the user names is the one that its textures take.
+fn shaded(
+    method_name: Option<&str>,
+    core_name: Option<&str>,
+    scene: &Scene,
+) -> Result<Method, Failure> {
+    let covered = core_name.filter(|c| textured(c).is_some() || is_textured(scene));
+    let Some(core_name) = covered else {
+        return hardware_method(method_name, core_name, scene.render.method);
+    };
+    let method = hardware_method(method_name, None, scene.render.method)?;
+    let own = order_of(method).map_or(Ok(Order::Quadratic), |o| order_for(scene, o));
+    let order = own.map_err(Failure::input)?;
+    let takes = match order {
+        Order::Textured(t) => t.name(),
+        _ => method.name(),
+    };
+    if takes == core_name {
+        return Ok(method);
+    }
+    Err(Failure::input(format!(
+        "core '{core_name}' does not draw this scene; the one for its materials is '{takes}'"
+    )))
 }
 
 /// The method from what the user says of method and core, or else from the scene.

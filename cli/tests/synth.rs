@@ -128,6 +128,7 @@ fn what_cannot_be_synthesised_is_refused() {
             shadegate_gen::scene::CORES
                 .iter()
                 .map(|c| c.0)
+                .chain(shadegate_gen::scene::TEXTURED.iter().map(|t| t.0))
                 .chain(shadegate_gen::scene::LINES.iter().map(|l| l.0))
                 .collect::<Vec<_>>()
                 .join(", ")

@@ -1,14 +1,17 @@
 //! A prepared scene as the triangles of a core: knots of its method, depths in words.
 
 mod reflected;
+mod textured;
 
 pub use reflected::{suited, Unsuited};
+pub use textured::{is_textured, order_for, texturing};
 
 use crate::spans;
 use crate::stimulus::{Line, Material, Triangle};
 use shadegate_hdl::line::Filter;
 use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::span_core::SpanKind;
+use shadegate_hdl::texture::{Mapping, Texturing, USUAL_TEXELS_LOG2};
 use shadegate_reference::line::{wireframe, LineFilter};
 use shadegate_reference::{depth, shade, Method, Prepared, Scene, ScreenTriangle};
 
@@ -64,6 +67,21 @@ pub const SET_UPS: [(Method, Order); 4] = [
     (Method::XShadingCached, Order::QuadraticDots),
 ];
 
+/// The textured cores, by catalogue name, with a texture memory of the usual size. They draw what the methods `gouraud`
+/// and `quadratic` draw, times a texture.
+pub const TEXTURED: [(&str, Order); 3] = [
+    ("textured-affine", usual(Mapping::Affine)),
+    ("textured-quadratic", usual(Mapping::Quadratic)),
+    ("textured-perspective", usual(Mapping::Perspective)),
+];
+
+const fn usual(mapping: Mapping) -> Order {
+    Order::Textured(Texturing {
+        mapping,
+        texels_log2: USUAL_TEXELS_LOG2,
+    })
+}
+
 /// Filters of lines, each with its core, by catalogue name.
 pub const LINES: [(&str, Order, LineFilter); 3] = [
     (
@@ -102,8 +120,8 @@ pub fn lines(p: &Prepared) -> Vec<Line> {
 /// What a scene has that no core draws.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "{file}: material '{material}' has a {what}, which no core draws; expected materials without texture and bump, \
-     or the command render"
+    "{file}: material '{material}' has a {what}, which no core draws; expected materials without bump, or the command \
+     render"
 )]
 pub struct Undrawable {
     /// The scene file.
@@ -114,7 +132,7 @@ pub struct Undrawable {
     pub what: &'static str,
 }
 
-/// Whether cores can draw a scene.
+/// Whether cores can draw a scene. What they draw of textures is in [`order_for`].
 ///
 /// # Errors
 /// The first material of an object that they cannot draw.
@@ -124,10 +142,9 @@ pub fn drawable(scene: &Scene) -> Result<(), Undrawable> {
         .iter()
         .filter_map(|o| scene.materials.get(o.material));
     for m in used {
-        let what = match (&m.texture, &m.bump) {
-            (None, None) => continue,
-            (Some(_), _) => "texture",
-            (None, Some(_)) => "bump map",
+        let what = match &m.bump {
+            None => continue,
+            Some(_) => "bump map",
         };
         return Err(Undrawable {
             file: scene.file.display().to_string(),
@@ -166,6 +183,7 @@ pub fn method_of(order: Order) -> Method {
         Order::Span(SpanKind::Blake) => Method::Blake,
         Order::Span(SpanKind::BlakeRefit) => Method::BlakeRefit,
         Order::Duff => Method::Duff,
+        Order::Textured(_) => Method::Quadratic,
     }
 }
 
@@ -174,7 +192,7 @@ fn knots(p: &Prepared, index: usize, method: Method) -> (Vec<[f64; 3]>, Option<M
     let t = &p.triangles[index];
     match order_of(method).unwrap_or(Order::Linear) {
         Order::Linear => (shade::gouraud::knots(p, t).to_vec(), None),
-        Order::Quadratic => (shade::quadratic::knots(p, t).to_vec(), None),
+        Order::Quadratic | Order::Textured(_) => (shade::quadratic::knots(p, t).to_vec(), None),
         Order::QuadraticDots | Order::Duff => {
             let (knots, material) = reflected::knots(p, index, method);
             (knots, Some(material))
@@ -188,7 +206,7 @@ fn knots(p: &Prepared, index: usize, method: Method) -> (Vec<[f64; 3]>, Option<M
 /// All triangles of a prepared scene, in drawing order, for the method that has the name of a core.
 #[must_use]
 pub fn triangles(p: &Prepared, order: Order) -> Vec<Triangle> {
-    triangles_of(p, method_of(order))
+    triangles_for(p, method_of(order), order)
 }
 
 /// All triangles of a prepared scene, in drawing order, for a method that has a core.
@@ -204,8 +222,19 @@ pub fn triangles_of(p: &Prepared, method: Method) -> Vec<Triangle> {
             depth: t.depth.map(depth::scaled),
             knots,
             material,
+            covering: None,
             label: format!("object {}, face {}", t.object, t.face),
         }
     };
     p.triangles.iter().enumerate().map(one).collect()
+}
+
+/// The same for a core, which may be a textured one: then with the pictures of the materials.
+#[must_use]
+pub fn triangles_for(p: &Prepared, method: Method, order: Order) -> Vec<Triangle> {
+    let mut all = triangles_of(p, method);
+    if let Order::Textured(t) = order {
+        textured::cover(p, t.mapping, &mut all);
+    }
+    all
 }

@@ -78,6 +78,7 @@ impl Case {
                 specular: [255.0, 128.0, 31.0],
                 shininess: fitting[r.random_range(0..fitting.len())],
             }),
+            covering: None,
             label: format!("case {i}"),
         };
         Self {

@@ -2,6 +2,7 @@
 //! After a deliberate change: `SHADEGATE_BLESS=1 cargo test --release -p shadegate-gen --test expected_verilog`.
 
 use shadegate_gen::package::rtl;
+use shadegate_gen::scene::TEXTURED;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::span_core::SpanKind;
@@ -15,6 +16,11 @@ fn cores_of_triangles() {
         Order::QuadraticDots,
         Order::Duff,
     ]);
+}
+
+#[test]
+fn textured_cores() {
+    expected(&TEXTURED.map(|t| t.1));
 }
 
 #[test]

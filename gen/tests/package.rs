@@ -6,6 +6,7 @@ mod common;
 use common::{make, need, run, silent, Made};
 use sha2::{Digest, Sha256};
 use shadegate_gen::package::{registers, resources, Register};
+use shadegate_gen::scene::TEXTURED;
 use shadegate_gen::stimulus::{build, sample_triangles, StimulusOptions};
 use shadegate_gen::wrapper::Wrapper;
 use shadegate_hdl::line::Filter;
@@ -177,6 +178,38 @@ fn the_register_map_is_what_a_host_writes() {
     }
 }
 
+/// The same for textured cores, whose pictures are sent before the first triangle or with one.
+#[test]
+fn the_register_map_of_textured_cores() {
+    let viewport = Viewport {
+        width: 320,
+        height: 240,
+    };
+    let options = StimulusOptions {
+        skip_unchanged: false,
+        broadcast: false,
+    };
+    for (name, order) in TEXTURED {
+        let core = Core::for_frame(order, 320, 240).expect("in range");
+        let triangles = sample_triangles(order, viewport, 40, 3);
+        let stimulus = build(&core, &triangles, viewport, &options).expect("in range");
+        let triangles = stimulus.primitives.iter().flat_map(|p| &p.writes);
+        let mut written: BTreeMap<u8, u64> = BTreeMap::new();
+        for (select, data) in stimulus.frame.iter().chain(triangles) {
+            *written.entry(*select).or_default() |= data;
+        }
+        let map = registers(&core);
+        let known: BTreeSet<u8> = map.iter().map(|r| r.select).collect();
+        assert_eq!(known.len(), map.len(), "{name}: a register twice");
+        assert_eq!(known, written.keys().copied().collect(), "{name}");
+        for r in &map {
+            let bits = written[&r.select];
+            assert!(bits >> r.bits == 0, "{} {}: {bits:x}", r.target, r.name);
+            assert!(r.bits <= core.bus_bits());
+        }
+    }
+}
+
 /// `resources` is data in one place; the README's table is the other place where these figures stand.
 #[test]
 fn resources_are_those_of_the_readme() {
@@ -267,6 +300,7 @@ fn the_example_draws_its_triangle_each_time() {
         (Order::Quadratic, 20, 600),
         (Order::Quadratic, 2, 1),
         (Order::QuadraticDots, 20, 15),
+        (TEXTURED[2].1, 20, 15),
     ] {
         let made = make(order, width, height, None, &[]);
         let directory = made.unpacked();

@@ -140,6 +140,7 @@ fn wide(count: usize, exponent: f64, seed: u64) -> Vec<Triangle> {
             depth: [1000.0 + 60_000.0 / count as f64 * i as f64; 3],
             knots: sample(normals, colours, exponent),
             material: None,
+            covering: None,
             label: format!("wide {i}"),
         }
     };

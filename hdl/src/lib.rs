@@ -19,3 +19,4 @@ pub mod raster;
 pub mod shade;
 pub mod simulate;
 pub mod sources;
+pub mod texture;

@@ -3,6 +3,30 @@
 
 /// Source text by the description's `name` remark.
 pub const SOURCES: &[(&str, &str)] = &[
+    ("colour_delay", include_str!("texture/colour_delay.rs")),
+    ("division", include_str!("texture/division.rs")),
+    ("modulate", include_str!("texture/modulate.rs")),
+    ("reciprocal", include_str!("texture/reciprocal.rs")),
+    (
+        "reciprocal_table",
+        include_str!("texture/reciprocal_table.rs"),
+    ),
+    ("shift", include_str!("texture/shift.rs")),
+    ("texel_blend", include_str!("texture/blend.rs")),
+    ("texel_place", include_str!("texture/place.rs")),
+    (
+        "textured_affine_core",
+        include_str!("shade/textured_affine.rs"),
+    ),
+    (
+        "textured_perspective_core",
+        include_str!("shade/textured_perspective.rs"),
+    ),
+    (
+        "textured_quadratic_core",
+        include_str!("shade/textured_quadratic.rs"),
+    ),
+    ("texture_unit", include_str!("texture/unit.rs")),
     ("blend", include_str!("line/blend.rs")),
     ("box_core", include_str!("line/box_filter.rs")),
     ("box_weight", include_str!("line/box_weight.rs")),
@@ -73,7 +97,7 @@ pub const SOURCES: &[(&str, &str)] = &[
 #[must_use]
 pub fn source(name: &str) -> Option<&'static str> {
     // Memories are named after their sizes.
-    let of_pixels = ["frame_memory", "colour_memory", "page_memory"];
+    let of_pixels = ["frame_memory", "colour_memory", "page_memory", "texel_bank"];
     if of_pixels.iter().any(|m| name.starts_with(m)) {
         return Some(include_str!("depth/frame_memory.rs"));
     }

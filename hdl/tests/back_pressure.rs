@@ -6,7 +6,7 @@ use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::raster::Viewport;
-use support::{check_done, random_triangles, taken, Machine, Pixel};
+use support::{check_done, random_triangles, taken, Machine, Pixel, TEXTURED};
 
 const SIZE: Viewport = Viewport {
     width: 64,
@@ -71,6 +71,13 @@ fn quadratic_dots_core_under_any_pattern() {
 #[test]
 fn duff_core_under_any_pattern() {
     any_pattern(Order::Duff, 14);
+}
+
+#[test]
+fn textured_cores_under_any_pattern() {
+    for (order, seed) in TEXTURED.into_iter().zip(15..) {
+        any_pattern(order, seed);
+    }
 }
 
 #[test]

@@ -5,6 +5,7 @@ use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use shadegate_hdl::shade::device::{Core, CoreSimulator};
 use shadegate_hdl::shade::model::{CoreInputs, CoreModel, Order};
+use shadegate_hdl::texture::{Mapping, Texturing};
 
 const CLOCKS: usize = if cfg!(debug_assertions) {
     5_000
@@ -103,6 +104,36 @@ fn quadratic_dots_core() {
 #[test]
 fn duff_core() {
     run(core(Order::Duff, false), 27, CLOCKS);
+}
+
+/// Small texture memories, so that places beyond them are met too.
+fn textured(mapping: Mapping, texels_log2: u8) -> Order {
+    Order::Textured(Texturing {
+        mapping,
+        texels_log2,
+    })
+}
+
+#[test]
+fn textured_cores() {
+    run(core(textured(Mapping::Affine, 12), false), 31, CLOCKS / 4);
+    run(core(textured(Mapping::Quadratic, 3), false), 32, CLOCKS / 4);
+    run(
+        core(textured(Mapping::Perspective, 16), false),
+        33,
+        CLOCKS / 2,
+    );
+}
+
+#[test]
+fn wide_textured_cores() {
+    run(core(textured(Mapping::Affine, 3), true), 34, CLOCKS / 8);
+    run(core(textured(Mapping::Quadratic, 12), true), 35, CLOCKS / 8);
+    run(
+        core(textured(Mapping::Perspective, 5), true),
+        36,
+        CLOCKS / 4,
+    );
 }
 
 #[test]

@@ -7,7 +7,7 @@ use rand::rngs::StdRng;
 use rand::SeedableRng;
 use shadegate_hdl::shade::model::{CoreOutputs, Order};
 use shadegate_reference::raster::Viewport;
-use support::{check_done, random_triangles, taken, Machine, Triangle};
+use support::{check_done, random_triangles, taken, Machine, Triangle, TEXTURED};
 
 const SIZE: Viewport = Viewport {
     width: 64,
@@ -56,6 +56,9 @@ fn no_bubbles_in_or_between_triangles() {
     no_bubbles(Order::Linear, 2);
     no_bubbles(Order::QuadraticDots, 5);
     no_bubbles(Order::Duff, 6);
+    for (mapping, seed) in TEXTURED.into_iter().zip(7..) {
+        no_bubbles(mapping, seed);
+    }
 }
 
 #[test]
@@ -128,6 +131,9 @@ fn the_first_pixel_comes_with_the_stated_latency() {
         Order::Linear,
         Order::QuadraticDots,
         Order::Duff,
+        TEXTURED[0],
+        TEXTURED[1],
+        TEXTURED[2],
     ] {
         let mut m = Machine::new(order, SIZE.width, SIZE.height);
         let t = Triangle::flat([(0.0, 0.0), (9.0, 0.0), (0.0, 9.0)], 1);

@@ -38,6 +38,7 @@ fn triangle(order: Order, (width, height): (u32, u32)) -> Triangle {
         depth: [50_000.0, 30_000.0, 20_000.0],
         knots: cosines(order, knots),
         material: material(order),
+        covering: None,
         label: "example".to_owned(),
     }
 }
@@ -78,7 +79,10 @@ pub fn example(
     let digits = b.div_ceil(4);
     let count = words.len();
     // Spans begin with their own last words; a triangle begins with the last of all.
-    let bits = if span { count.ilog2() as usize + 1 } else { 6 };
+    let bits = match span || count > 63 {
+        true => count.ilog2() as usize + 1,
+        false => 6,
+    };
     let begin = |start: bool| match (span, start) {
         (false, _) => "",
         (true, false) => "1'b0, ",

@@ -1,6 +1,7 @@
 //! The register map of a core as data: for the manifest, the README and whoever writes a driver.
 
 mod material;
+mod texture;
 
 use super::line;
 use serde::Serialize;
@@ -26,7 +27,7 @@ pub struct Register {
     /// Select code that addresses this word alone: channel mask in bits 7 to 4, word number in bits 3 to 0.
     pub select: u8,
     /// `shell` (the walk and the weights of a line core), `depth`, and `red`, `green`, `blue`, or `light`, `lobe`, `half`,
-    /// `square`, `material`.
+    /// `square`, `material`, or `u`, `v`, `w`, `texture`.
     pub target: &'static str,
     /// Word number.
     pub word: u8,
@@ -78,6 +79,7 @@ const QUADRIC: [(&str, &str); 10] = [
 pub fn registers(core: &Core) -> Vec<Register> {
     match core.order {
         Order::Line(filter) => return line::registers(filter, core.address_bits()),
+        Order::Textured(t) => return texture::registers(core, t),
         Order::Span(kind) => return super::span_registers::registers(core, kind),
         _ => {}
     }
@@ -85,7 +87,7 @@ pub fn registers(core: &Core) -> Vec<Register> {
     let quadric = &QUADRIC[..];
     let plane = &PLANE[..];
     let colours = match core.order {
-        Order::Linear | Order::Line(_) | Order::Span(_) => {
+        Order::Linear | Order::Line(_) | Order::Span(_) | Order::Textured(_) => {
             &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, plane))[..]
         }
         Order::Quadratic => &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, quadric)),

@@ -10,6 +10,7 @@ use shadegate_hdl::line::Filter;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::span_core::SpanKind;
+use shadegate_hdl::texture::Mapping;
 
 /// Synthesiser and what it counted.
 pub const TOOL: &str = "Yosys 0.23, synth_xilinx, cells before placement";
@@ -103,6 +104,7 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
         Order::Span(SpanKind::Slerp) => SLERP.to_vec(),
         Order::Span(SpanKind::Blake) => BLAKE.to_vec(),
         Order::Span(_) => vec![],
+        Order::Textured(_) => vec![],
     };
     let rows: Vec<Measured> = all
         .into_iter()
@@ -115,6 +117,9 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
             Order::Line(Filter::Bresenham) => 0,
             Order::Line(Filter::Box | Filter::Cone) => 3,
             Order::Duff => 12,
+            // Three per channel for the mean, one for the product; two for the reciprocal, two after it.
+            Order::Textured(t) if t.mapping == Mapping::Perspective => 16,
+            Order::Textured(_) => 12,
             // Two per channel; a recurrence for either curve and the power in between.
             Order::Span(SpanKind::Slerp | SpanKind::Chebyshev) => 9,
             Order::Span(_) => 6,

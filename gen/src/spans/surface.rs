@@ -46,6 +46,7 @@ pub fn triangles(p: &Prepared) -> Vec<Triangle> {
             depth: t.depth.map(depth::scaled),
             knots,
             material: None,
+            covering: None,
             label: format!("object {}, face {}", t.object, t.face),
         }
     };

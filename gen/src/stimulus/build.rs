@@ -1,6 +1,7 @@
 //! Register writes per triangle, and what need not be written.
 
 use super::material::Material;
+use super::texture::{Covering, Pictures};
 use crate::setup::{fixed_knot, plane_words, quadric_words, shell_words, Frame};
 use shadegate_hdl::raster::shell::FRAME_WIDTH;
 use shadegate_hdl::shade::device::Core;
@@ -21,6 +22,8 @@ pub struct Triangle {
     pub knots: Vec<[f64; 3]>,
     /// What cores take that shade per pixel, and others ignore.
     pub material: Option<Material>,
+    /// The picture that multiplies its colour, for textured cores; others ignore it.
+    pub covering: Option<Covering>,
     /// Where it comes from, for messages.
     pub label: String,
 }
@@ -85,7 +88,8 @@ pub(super) struct Writer<'a> {
     options: &'a StimulusOptions,
     /// Last word written, by select code of a single target.
     held: std::collections::HashMap<u8, u64>,
-    out: Stimulus,
+    /// What is sent so far.
+    pub(super) out: Stimulus,
 }
 
 impl Writer<'_> {
@@ -106,7 +110,11 @@ impl Writer<'_> {
     }
 
     /// Words of the three colour channels, equal ones together.
-    fn colours<const W: usize>(&mut self, channels: &[[u64; W]; 3], writes: &mut Vec<(u8, u64)>) {
+    pub(super) fn colours<const W: usize>(
+        &mut self,
+        channels: &[[u64; W]; 3],
+        writes: &mut Vec<(u8, u64)>,
+    ) {
         for word in 0..W {
             let mut sent: Vec<(u8, u64)> = vec![];
             for (channel, words) in channels.iter().enumerate() {
@@ -133,6 +141,16 @@ impl Writer<'_> {
 }
 
 fn knots<const K: usize>(t: &Triangle, channel: usize) -> Result<[i128; K], String> {
+    fixed_colours(t, channel, 1530.0, |k| k)
+}
+
+/// Knots of a channel, from 0 to `brightest`, each mapped.
+pub(super) fn fixed_colours<const K: usize>(
+    t: &Triangle,
+    channel: usize,
+    brightest: f64,
+    map: impl Fn(f64) -> f64,
+) -> Result<[i128; K], String> {
     if t.knots.len() != K {
         return Err(format!(
             "{} colour knots where the core takes {K}",
@@ -142,9 +160,9 @@ fn knots<const K: usize>(t: &Triangle, channel: usize) -> Result<[i128; K], Stri
     let mut out = [0; K];
     for (to, knot) in out.iter_mut().zip(&t.knots) {
         let value = knot[channel];
-        *to = fixed_knot(value)
-            .filter(|_| (0.0..=1530.0).contains(&value))
-            .ok_or_else(|| format!("colour knot {value} is outside 0 to 1530"))?;
+        *to = fixed_knot(map(value))
+            .filter(|_| (0.0..=brightest).contains(&value))
+            .ok_or_else(|| format!("colour knot {value} is outside 0 to {brightest}"))?;
     }
     Ok(out)
 }
@@ -166,6 +184,7 @@ fn channel_words(
     core: &Core,
     t: &Triangle,
     walk: &Walk,
+    pictures: &Pictures,
     w: &mut Writer,
     writes: &mut Vec<(u8, u64)>,
 ) -> Result<(), String> {
@@ -190,6 +209,7 @@ fn channel_words(
         Order::QuadraticDots => w.dots(core, t, &frame, writes)?,
         Order::Duff => w.duff(core, t, &frame, writes)?,
         Order::Line(_) => return Err("a line core draws no triangles".to_owned()),
+        Order::Textured(texturing) => w.textured((core, texturing), t, &frame, pictures, writes)?,
         // Built span by span: see `build`.
         Order::Span(_) => {}
     }
@@ -223,6 +243,18 @@ pub fn build(
     w.out
         .frame
         .push((FRAME_WIDTH as u8, u64::from(viewport.width)));
+    let mut pictures = Pictures::default();
+    if let Order::Textured(texturing) = core.order {
+        pictures = Pictures::new(triangles);
+        let error = |what| StimulusError {
+            primitive: "triangle",
+            index: 0,
+            label: triangles.first().map_or(String::new(), |t| t.label.clone()),
+            what,
+        };
+        let texels = pictures.writes(texturing).map_err(error)?;
+        w.out.frame.extend(texels);
+    }
     for (index, t) in triangles.iter().enumerate() {
         let Some(walk) = Walk::new(t.position, viewport)
             .filter(|walk| walk.spans(viewport.width).next().is_some())
@@ -239,7 +271,7 @@ pub fn build(
         };
         let shell = shell_words(t.position, &walk, viewport.width).map_err(error)?;
         w.shell(&shell, &mut writes);
-        channel_words(core, t, &walk, &mut w, &mut writes).map_err(error)?;
+        channel_words(core, t, &walk, &pictures, &mut w, &mut writes).map_err(error)?;
         w.out.primitives.push(Primitive {
             triangle: index,
             writes,

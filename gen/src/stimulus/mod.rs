@@ -7,6 +7,7 @@ mod lines;
 mod material;
 mod sample;
 mod sample_lines;
+mod texture;
 
 pub use build::{build, Primitive, Stimulus, StimulusError, StimulusOptions, Triangle};
 pub use host::{Host, Step};
@@ -14,3 +15,4 @@ pub use lines::{build_lines, Line};
 pub use material::{greatest_exponent, Material};
 pub use sample::{sample, sample_triangles};
 pub use sample_lines::{sample_lines, single_line};
+pub use texture::{Covering, Picture};

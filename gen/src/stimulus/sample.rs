@@ -1,10 +1,15 @@
 //! Triangles for a core that is generated without a scene: enough to exercise every register and every case of the walk.
 
-use super::{build, sample_lines, Material, Stimulus, StimulusError, StimulusOptions, Triangle};
+use super::{
+    build, sample_lines, Covering, Material, Picture, Stimulus, StimulusError, StimulusOptions,
+    Triangle,
+};
 use crate::spans;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
+use shadegate_hdl::texture::{Mapping, Texturing};
 use shadegate_reference::raster::{Point, Viewport, SUBPIXELS};
+use std::sync::Arc;
 
 /// A small linear congruential generator (Knuth's MMIX constants): vectors must be the same on every machine and in
 /// every release, which no general-purpose generator promises.
@@ -65,6 +70,36 @@ fn surface(draw: &mut Draw) -> Vec<[f64; 3]> {
     spans::sample(normals, colours, 20.0)
 }
 
+/// Two pictures of texels that differ everywhere, small enough for any memory.
+fn pictures() -> [Arc<Picture>; 2] {
+    [(4usize, 2usize), (2, 4)].map(|(width, height)| {
+        let texel = |i: usize| [31 * i % 256, 255 - 17 * i % 256, 101 * i % 256].map(|v| v as u8);
+        Arc::new(Picture {
+            width,
+            height,
+            texels: (width..width * height + width).map(texel).collect(),
+        })
+    })
+}
+
+/// A picture on a triangle: some tens of texels across, depths in a ratio of up to 16.
+fn covering(draw: &mut Draw, t: Texturing, pictures: &[Arc<Picture>; 2], i: usize) -> Covering {
+    let knots = match t.mapping {
+        Mapping::Quadratic => 6,
+        _ => 3,
+    };
+    let mut knot = |_| {
+        let at = |v: u64| v as f64 / 64.0 - 20.0;
+        let (u, v) = (at(draw.below(2560)), at(draw.below(2560)));
+        [u, v, (1 + draw.below(16)) as f64]
+    };
+    Covering {
+        address: (0..knots).map(&mut knot).collect(),
+        picture: pictures[i / 3 % 2].clone(),
+        nearest: i.is_multiple_of(4),
+    }
+}
+
 /// `count` triangles of mixed size and shape in (and a little around) the frame: both orientations, level edges,
 /// slivers, single pixels, shared corners, overlapping depths.
 #[must_use]
@@ -81,6 +116,7 @@ pub fn sample_triangles(
         matches!(order, Order::QuadraticDots | Order::Duff).then(|| MATERIALS[2 * i / count.max(1)])
     };
     let knots = if order == Order::Linear { 3 } else { 6 };
+    let pictures = pictures();
     let mut out: Vec<Triangle> = vec![];
     for i in 0..count {
         let reach = [2, 5, 12, 40, w.max(h)][draw.below(5) as usize];
@@ -127,6 +163,10 @@ pub fn sample_triangles(
             depth,
             knots,
             material: material(i),
+            covering: match order {
+                Order::Textured(t) => Some(covering(&mut draw, t, &pictures, i)),
+                _ => None,
+            },
             label: format!("sample {i}"),
         });
     }

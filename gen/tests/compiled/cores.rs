@@ -4,6 +4,7 @@ use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use rust_hdl_core::prelude::{Atom, Block, Probe};
 use shadegate_gen::compile::CompiledCore;
+use shadegate_gen::scene::TEXTURED;
 use shadegate_hdl::shade::device::{Core, CoreSimulator};
 use shadegate_hdl::shade::model::{CoreInputs, Order};
 use std::collections::BTreeMap;
@@ -111,4 +112,12 @@ fn quadratic() {
 fn gouraud() {
     agree(Order::Linear, (96, 64));
     agree(Order::Linear, (1030, 9));
+}
+
+#[test]
+fn textured() {
+    for (_, order) in TEXTURED {
+        agree(order, (96, 64));
+    }
+    agree(TEXTURED[2].1, (1030, 9));
 }

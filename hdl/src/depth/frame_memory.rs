@@ -67,6 +67,14 @@ impl<const A: usize> PageMemory<A> {
     }
 }
 
+impl<const A: usize> PixelMemory<A, 24> {
+    /// A quarter of a texture memory, of `words` texels, at least two and at most 2^A.
+    #[must_use]
+    pub fn bank(words: usize) -> Self {
+        Self::named(words, "texel_bank", "Texture memory of {} texels")
+    }
+}
+
 impl<const A: usize, const W: usize> PixelMemory<A, W> {
     /// With the name of the module and its title, in which {} is the number of words.
     fn named(words: usize, name: &'static str, title: &'static str) -> Self {

@@ -15,6 +15,9 @@ use super::quadratic::QuadraticCore;
 use super::quadratic_dots::QuadraticDotsCore;
 use super::slerp::SlerpCore;
 use super::spherical::SphericalCore;
+use super::textured_affine::TexturedAffineCore;
+use super::textured_perspective::TexturedPerspectiveCore;
+use super::textured_quadratic::TexturedQuadraticCore;
 use super::COLOUR_INTEGER_BITS;
 use crate::depth::pages::pages;
 use crate::format::U;
@@ -22,6 +25,7 @@ use crate::line::box_filter::BoxCore;
 use crate::line::bresenham::BresenhamCore;
 use crate::line::cone::ConeCore;
 use crate::simulate::{Clocked, Simulator};
+use crate::texture::{self, Mapping, PERSPECTIVE_BITS, W_FRACTION_BITS};
 use rust_hdl_core::prelude::*;
 
 /// Quadratic core with Q11.20 colours, 32-bit bus, 2^17 frame addresses.
@@ -40,6 +44,18 @@ pub type QuadraticDotsWide = QuadraticDotsCore<19, 49, 21>;
 pub type DuffNarrow = DuffCore<15, 45, 17>;
 /// Duff core with N·L, N·H and |N|² in Q1.47, 49-bit bus, 2^21 frame addresses.
 pub type DuffWide = DuffCore<19, 49, 21>;
+/// Textured core with affine addresses in Q9.22, Q11.20 colours, 32-bit bus, 2^17 frame addresses.
+pub type TexturedAffineNarrow = TexturedAffineCore<32, 14, 32, 10, 17>;
+/// Textured core with affine addresses in Q9.26, Q11.24 colours, 36-bit bus, 2^21 frame addresses.
+pub type TexturedAffineWide = TexturedAffineCore<36, 18, 36, 14, 21>;
+/// Textured core with quadratic addresses in Q9.30, Q11.20 colours, 40-bit bus, 2^17 frame addresses.
+pub type TexturedQuadraticNarrow = TexturedQuadraticCore<32, 14, 40, 18, 17>;
+/// Textured core with quadratic addresses in Q9.34, Q11.24 colours, 44-bit bus, 2^21 frame addresses.
+pub type TexturedQuadraticWide = TexturedQuadraticCore<36, 18, 44, 22, 21>;
+/// Textured core with perspective, u/z in Q10.37, 1/z in Q1.46, Q11.20 colours, 48-bit bus, 2^17 frame addresses.
+pub type TexturedPerspectiveNarrow = TexturedPerspectiveCore<32, 14, 48, 17>;
+/// Textured core with perspective, u/z in Q10.37, 1/z in Q1.46, Q11.24 colours, 48-bit bus, 2^21 frame addresses.
+pub type TexturedPerspectiveWide = TexturedPerspectiveCore<36, 18, 48, 21>;
 
 /// Longest run of the narrow formats.
 pub const NARROW_RUN: u32 = 1023;
@@ -97,6 +113,7 @@ impl Core {
             Order::Line(filter) => filter.core_name(),
             Order::Span(kind) => kind.name(),
             Order::Duff => "duff",
+            Order::Textured(t) => t.name(),
         }
     }
 
@@ -118,6 +135,15 @@ impl Core {
                 ("light", LIGHT_INTEGER_BITS, LIGHT_FRACTION_BITS + n),
                 ("lobe", PLACE_INTEGER_BITS, PLACE_FRACTION_BITS + n),
             ],
+            Order::Textured(t) => {
+                let (int, frac) = t.mapping.format(self.wide);
+                let mut all = vec![("colour", COLOUR_INTEGER_BITS, n), ("address", int, frac)];
+                if t.mapping == Mapping::Perspective {
+                    let int = PERSPECTIVE_BITS - W_FRACTION_BITS - 1;
+                    all.push(("inverse_depth", int, W_FRACTION_BITS));
+                }
+                all
+            }
             Order::Duff => vec![(
                 "dot",
                 unit_cosines::INTEGER_BITS,
@@ -130,8 +156,8 @@ impl Core {
     #[must_use]
     pub fn fraction_bits(&self) -> usize {
         match (self.order, self.wide) {
-            (Order::Quadratic, false) => 20,
-            (Order::Quadratic, true) => 24,
+            (Order::Quadratic | Order::Textured(_), false) => 20,
+            (Order::Quadratic | Order::Textured(_), true) => 24,
             (Order::Linear, false) => 12,
             (Order::Linear, true) => 14,
             (Order::QuadraticDots | Order::Duff, false) => 15,
@@ -148,20 +174,24 @@ impl Core {
             Order::Linear | Order::Quadratic => 0,
             Order::QuadraticDots => STAGES as u32,
             Order::Duff => (unit_cosines::STAGES + STAGES) as u32,
+            Order::Textured(t) => (t.mapping.stages() + texture::STAGES) as u32,
             Order::Line(filter) => return filter.latency(),
             // One register level less before the pixel registers and five stages behind.
             Order::Span(_) => 4,
         }
     }
 
-    /// Bits of the depth memory and its pages, or of the frame memory of a line core.
+    /// Bits of the depth memory and its pages (with the texture memory of a textured core), or of the frame memory of a
+    /// line core.
     #[must_use]
     pub fn memory_bits(&self) -> u64 {
         let pixels = self.pixels as u64;
-        match self.order {
-            Order::Line(filter) => pixels * filter.memory_bits(),
-            _ => 16 * pixels + 18 * pages(self.pixels) as u64,
-        }
+        let texels = match self.order {
+            Order::Line(filter) => return pixels * filter.memory_bits(),
+            Order::Textured(t) => t.memory_bits(),
+            _ => 0,
+        };
+        16 * pixels + 18 * pages(self.pixels) as u64 + texels
     }
 
     /// Width of the register bus.
@@ -188,12 +218,15 @@ impl Core {
         let n = f64::from(run);
         let words = match self.order {
             Order::Linear | Order::Line(_) | Order::Span(_) => 1.0 + n,
-            Order::Quadratic | Order::QuadraticDots | Order::Duff => 1.0 + n * (n + 1.0) / 2.0,
+            Order::Quadratic | Order::QuadraticDots | Order::Duff | Order::Textured(_) => {
+                1.0 + n * (n + 1.0) / 2.0
+            }
         };
         let unit = words / 2f64.powi(self.fraction_bits() as i32 + 1);
         match self.order {
             Order::Linear | Order::Quadratic => unit,
             Order::Line(filter) => filter.error_bound(run),
+            Order::Textured(t) => t.error_bound(self.wide, run, unit),
             Order::Span(kind) => kind.error_bound(run),
             Order::QuadraticDots => {
                 let light = 2f64.powi(-(LIGHT_FRACTION_BITS as i32));
@@ -234,6 +267,25 @@ impl Core {
             (Order::Duff, false) => f.visit(DuffNarrow::new(self.pixels)),
             (Order::Duff, true) => f.visit(DuffWide::new(self.pixels)),
             (Order::QuadraticDots, true) => f.visit(QuadraticDotsWide::new(self.pixels)),
+            (Order::Textured(t), wide) => {
+                let (pixels, texels) = (self.pixels, t.texels());
+                match (t.mapping, wide) {
+                    (Mapping::Affine, false) => f.visit(TexturedAffineNarrow::new(pixels, texels)),
+                    (Mapping::Affine, true) => f.visit(TexturedAffineWide::new(pixels, texels)),
+                    (Mapping::Quadratic, false) => {
+                        f.visit(TexturedQuadraticNarrow::new(pixels, texels))
+                    }
+                    (Mapping::Quadratic, true) => {
+                        f.visit(TexturedQuadraticWide::new(pixels, texels))
+                    }
+                    (Mapping::Perspective, false) => {
+                        f.visit(TexturedPerspectiveNarrow::new(pixels, texels))
+                    }
+                    (Mapping::Perspective, true) => {
+                        f.visit(TexturedPerspectiveWide::new(pixels, texels))
+                    }
+                }
+            }
             (Order::Line(filter), false) => filter.with_design::<17, R>(self.pixels, f),
             (Order::Line(filter), true) => filter.with_design::<21, R>(self.pixels, f),
             (Order::Span(kind), false) => kind.with_design::<17, R>(self.pixels, f),
@@ -292,6 +344,9 @@ core_ports!(QuadraticCore, D, N, B, A);
 core_ports!(GouraudCore, D, N, B, A);
 core_ports!(QuadraticDotsCore, N, B, A);
 core_ports!(DuffCore, N, B, A);
+core_ports!(TexturedAffineCore, D, N, B, K, A);
+core_ports!(TexturedQuadraticCore, D, N, B, K, A);
+core_ports!(TexturedPerspectiveCore, D, N, B, A);
 core_ports!(SlerpCore, A);
 core_ports!(ChebyshevCore, A);
 core_ports!(BlakeCore, A);

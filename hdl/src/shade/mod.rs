@@ -16,6 +16,9 @@ pub mod span_bound;
 pub mod span_core;
 pub mod span_model;
 pub mod spherical;
+pub mod textured_affine;
+pub mod textured_perspective;
+pub mod textured_quadratic;
 
 /// Integer bits of a colour word: ±2048 LSB holds a six-knot colour of knots in 0..=1530.
 pub const COLOUR_INTEGER_BITS: usize = 11;

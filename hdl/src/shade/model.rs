@@ -16,6 +16,8 @@ use crate::interpolate::quadratic_2::Quadratic2Model;
 use crate::line::model::LineModel;
 use crate::line::Filter;
 use crate::raster::shell::{ShellInputs, ShellModel};
+use crate::texture::model::{colour_in, TextureModel};
+use crate::texture::{select, Mapping, Texturing, PERSPECTIVE_BITS};
 
 /// Which interpolant a core has per colour channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -32,6 +34,8 @@ pub enum Order {
     Line(Filter),
     /// Spans that the host sets up one by one.
     Span(SpanKind),
+    /// Quadrics times a texture: the textured cores.
+    Textured(Texturing),
 }
 
 /// What a core sees in one clock.
@@ -116,7 +120,11 @@ struct Reflection {
 impl Reflection {
     fn of(order: Order) -> Option<Self> {
         let stages = match order {
-            Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => return None,
+            Order::Linear
+            | Order::Quadratic
+            | Order::Line(_)
+            | Order::Span(_)
+            | Order::Textured(_) => return None,
             Order::QuadraticDots => STAGES,
             Order::Duff => unit_cosines::STAGES + STAGES,
         };
@@ -132,15 +140,28 @@ impl Reflection {
 /// Width of the register bus of a core whose interpolants have `fraction_bits`.
 #[must_use]
 pub fn bus_bits(order: Order, fraction_bits: usize) -> usize {
+    let address = match order {
+        Order::Textured(t) if t.mapping == Mapping::Perspective => PERSPECTIVE_BITS,
+        Order::Textured(t) => {
+            let (int, frac) = t.mapping.format(textured_wide(fraction_bits));
+            1 + int + frac
+        }
+        _ => 0,
+    };
     interpolant_bits(order, fraction_bits)
         .into_iter()
-        .fold(32, usize::max)
+        .fold(address.max(32), usize::max)
+}
+
+/// Whether a textured core whose colours have `fraction_bits` is the wide one.
+fn textured_wide(fraction_bits: usize) -> bool {
+    fraction_bits > 20
 }
 
 /// Widths of a core's three interpolants beside depth.
 fn interpolant_bits(order: Order, fraction_bits: usize) -> [usize; 3] {
     match order {
-        Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => {
+        Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) | Order::Textured(_) => {
             [1 + COLOUR_INTEGER_BITS + fraction_bits; 3]
         }
         Order::QuadraticDots => [
@@ -170,6 +191,7 @@ pub struct CoreModel {
     widths: [usize; 3],
     colour: [Channel; 3],
     reflection: Option<Reflection>,
+    texture: Option<Box<TextureModel>>,
     depth: Linear2Model,
     z_buffer: ZBufferModel,
     drawn: Pixel,
@@ -194,7 +216,7 @@ impl CoreModel {
         let linear = Channel::Linear(Linear2Model::default());
         let channel = match order {
             Order::Linear | Order::Line(_) | Order::Span(_) => linear,
-            Order::Quadratic | Order::QuadraticDots | Order::Duff => {
+            Order::Quadratic | Order::QuadraticDots | Order::Duff | Order::Textured(_) => {
                 Channel::Quadratic(Quadratic2Model::default())
             }
         };
@@ -210,6 +232,12 @@ impl CoreModel {
                 _ => [channel; 3],
             },
             reflection: Reflection::of(order),
+            texture: match order {
+                Order::Textured(t) => {
+                    Some(TextureModel::new(t, textured_wide(fraction_bits)).into())
+                }
+                _ => None,
+            },
             depth: Linear2Model::default(),
             z_buffer: ZBufferModel::new(pixels),
             drawn: Pixel::default(),
@@ -234,11 +262,14 @@ impl CoreModel {
 
     fn draining(&self) -> bool {
         self.reflection.as_ref().is_some_and(|r| r.draining)
+            || self.texture.as_ref().is_some_and(|t| t.draining)
     }
 
     /// A triangle is waiting or being walked, or a pixel has no colour yet.
     fn walking(&self, shell_busy: bool) -> bool {
-        shell_busy || self.reflection.as_ref().is_some_and(|r| r.delay.busy())
+        shell_busy
+            || self.reflection.as_ref().is_some_and(|r| r.delay.busy())
+            || self.texture.as_ref().is_some_and(|t| t.delay.busy())
     }
 
     fn busy(&self, shell_busy: bool) -> bool {
@@ -304,8 +335,15 @@ impl CoreModel {
         let depth_bits = 1 + DEPTH_INTEGER_BITS + DEPTH_FRACTION_BITS;
         let accept = i.write && so.load_ready && !self.draining();
         let word = usize::from(i.select & 15);
+        let textured = self.texture.is_some();
         let write = |channel: usize| {
-            (accept && i.select >> (4 + channel) & 1 == 1).then_some((word, i.data))
+            let chosen = match (textured, channel) {
+                (false, _) => i.select >> (4 + channel) & 1 == 1,
+                // Bit 7 chooses between the colours and the rest, of which depth is the one without a mask.
+                (true, 3) => i.select >> 4 == select::DEPTH >> 4,
+                (true, _) => i.select >> 7 == 0 && i.select >> (4 + channel) & 1 == 1,
+            };
+            (accept && chosen).then_some((word, i.data))
         };
         let walked = Fragment {
             valid: so.fragment,
@@ -318,7 +356,20 @@ impl CoreModel {
         let values = self.colour.map(|c| c.value() >> self.fraction_bits);
         let walking = self.walking(so.busy);
         let (arrived, levels) = match &mut self.reflection {
-            None => (walked, values),
+            None => match &mut self.texture {
+                None => (walked, values),
+                Some(t) => {
+                    let late = (t.delay.last().unwrap_or(walked), t.levels());
+                    let colours = self
+                        .colour
+                        .map(|c| colour_in(c.value(), self.fraction_bits));
+                    let own = accept.then_some((i.select, i.data));
+                    t.clock(own, go, so.controls, colours, walked);
+                    let fence = accept && i.select >> 4 == 0 && word == FENCE_WORD;
+                    t.draining = fence || (t.draining && walking);
+                    late
+                }
+            },
             Some(r) => {
                 let late = (r.delay.last().unwrap_or(walked), r.colour.levels());
                 let material = write(2);

@@ -24,6 +24,7 @@ fn table() -> impl Iterator<Item = u32> {
 pub fn writes(order: Order) -> Vec<(u8, u64)> {
     match order {
         Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => vec![],
+        Order::Textured(_) => super::picture::writes(),
         Order::QuadraticDots | Order::Duff => {
             let colours = (0x40..).zip(COLOURS);
             let words = table().map(|w| (0x4a, u64::from(w)));

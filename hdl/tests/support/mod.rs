@@ -3,8 +3,10 @@
 
 mod machine;
 mod material;
+mod picture;
 
 pub use machine::{check_done, taken, Machine, Pixel};
+pub use picture::TEXTURED;
 
 use rand::rngs::StdRng;
 use rand::Rng;
@@ -13,6 +15,8 @@ use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::phong::root_model::arguments;
 use shadegate_hdl::shade::saturate::saturate_model;
 use shadegate_hdl::shade::{DEPTH_BIAS, DEPTH_FRACTION_BITS};
+use shadegate_hdl::texture::model::colour_in;
+use shadegate_hdl::texture::Mapping;
 use shadegate_reference::raster::{EdgeDda, Point, Viewport, Walk};
 use std::ops::Range;
 
@@ -97,11 +101,21 @@ impl Triangle {
         let x = if w.mirrored { !column } else { column };
         let whole = i64::from(w.major.whole);
         let steps = [(side, 0), (side * whole, 1), (side * (whole + 1), 1)];
-        let channels = [self.colour[0], self.colour[1], self.colour[2], self.depth];
+        let mut channels = vec![self.colour[0], self.colour[1], self.colour[2], self.depth];
+        if let Order::Textured(t) = order {
+            let fraction = t.mapping.format(false).1;
+            channels.extend(picture::addresses(self, t.mapping, fraction));
+        }
         for (channel, polynomial) in channels.iter().enumerate() {
             let words = polynomial.words(x, i64::from(w.first_row), steps);
             let (select, count): (u8, u8) = match (order, channel) {
                 (Order::QuadraticDots, 2) => (0, 0),
+                (Order::Textured(_), 0..=2) => (16 << channel, 10),
+                (Order::Textured(t), 4 | 5) if t.mapping == Mapping::Quadratic => {
+                    (0x80 | 1 << channel, 10)
+                }
+                (Order::Textured(t), 6) if t.mapping != Mapping::Perspective => (0, 0),
+                (Order::Textured(_), 4..=6) => (0x80 | 1 << channel, 4),
                 (Order::Duff, 0) => (0x10, 4),
                 (Order::Duff, 1) => (0x14, 4),
                 (Order::Duff, 2) => (0x20, 10),
@@ -148,6 +162,15 @@ impl Triangle {
             let levels = match kind.order {
                 Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => values,
                 Order::QuadraticDots => [0, 1, 2].map(|c| material::level(c, values[0], values[1])),
+                Order::Textured(t) => {
+                    let fraction = t.mapping.format(false).1;
+                    let address = picture::addresses(self, t.mapping, fraction);
+                    let colour = self
+                        .colour
+                        .map(|c| colour_in(c.at(column, row), kind.fraction_bits()));
+                    let address = address.map(|c| c.at(column, row));
+                    picture::level(colour, address, t.mapping, fraction)
+                }
                 Order::Duff => {
                     let [light, place] = arguments(values, 0);
                     [0, 1, 2].map(|c| material::level(c, light, place))
@@ -178,12 +201,14 @@ pub fn random_triangles(
     let unit = 1i64 << kind.fraction_bits();
     let bend = |unit: i64| match kind.order {
         Order::Linear | Order::Line(_) | Order::Span(_) => 0,
-        Order::Quadratic | Order::QuadraticDots => unit / 32,
+        Order::Quadratic | Order::QuadraticDots | Order::Textured(_) => unit / 32,
         Order::Duff => 0,
     };
     // What a step of 8-bit colour is to an interpolant.
     let units = match kind.order {
-        Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => [unit; 3],
+        Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) | Order::Textured(_) => {
+            [unit; 3]
+        }
         Order::QuadraticDots => [unit << (16 - 8), unit << (19 - 8), 0],
         Order::Duff => [unit << (28 - 8); 3],
     };

@@ -1,7 +1,7 @@
 //! Frames from pixel streams, and the arithmetic error of every pixel that a core hands over.
 
 use super::span_oracle::SpanOracle;
-use super::{lines, Prelude};
+use super::{lines, texture_oracle, Prelude};
 use shadegate_gen::stimulus::Triangle;
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::{shade, to_byte, Prepared};
@@ -59,6 +59,9 @@ pub struct FragmentError {
     pub max_lsb: u8,
     /// Root mean square over all channels, LSB.
     pub rms_lsb: f64,
+    /// Pixels of a nearest texel that are right only for the texel next to the one of the method, from whose border the
+    /// address is no farther than the core's may be off.
+    pub border_pixels: u64,
 }
 
 /// The reflection model in f64: one light, from N·L and N·H.
@@ -109,6 +112,12 @@ pub fn fragment_error(p: &Prelude) -> FragmentError {
             // Judged above.
             Order::Line(_) => continue,
             Order::Span(_) => spans.nearest(pixel),
+            Order::Textured(texturing) => {
+                let wide = p.trace.core.wide;
+                let judged = texture_oracle::colour(t, texturing, wide, pixel);
+                out.border_pixels += u64::from(judged.border);
+                judged.colour
+            }
         };
         for (want, got) in value.into_iter().zip(pixel.rgb) {
             let d = to_byte(want).abs_diff(got);

@@ -4,6 +4,7 @@ mod frames;
 mod lines;
 mod report;
 mod span_oracle;
+pub mod texture_oracle;
 mod write;
 
 pub use report::{CosimReport, ErrorReport, FirstMismatch, FormatReport, HostReport, TimeReport};
@@ -13,7 +14,8 @@ use crate::engine::{run, Engine, EngineError, Wave};
 use frames::Frames;
 use shadegate_gen::package::{package, rtl, Package, PackageError};
 use shadegate_gen::scene::{
-    self, drawable, line_order, order_of, suited, triangles_of, Undrawable, Unsuited, CORES,
+    self, drawable, line_order, order_for, order_of, suited, triangles_for, Undrawable, Unsuited,
+    CORES,
 };
 use shadegate_gen::spans::{self, Refused};
 use shadegate_gen::stimulus::{build, build_lines, Line, StimulusError, StimulusOptions};
@@ -25,7 +27,9 @@ use shadegate_reference::antialias::Antialias;
 use shadegate_reference::line::LineFilter;
 use shadegate_reference::raster::Viewport;
 use shadegate_reference::scene::Draw;
-use shadegate_reference::{render, Method, Prepared, RenderOptions, Scene, SceneError, Skips};
+use shadegate_reference::{
+    render, skips, Method, Prepared, RenderOptions, Scene, SceneError, Skips,
+};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -123,6 +127,21 @@ pub fn core_for(method: Method, width: u32, height: u32) -> Result<Core, CosimEr
     Core::for_frame(order, width, height).ok_or(CosimError::TooLarge { width, height })
 }
 
+/// The core for a method, a frame and the textures of a scene.
+///
+/// # Errors
+/// Methods without a core, textures that no core draws, frames beyond the coordinate range.
+pub fn scene_core_for(
+    scene: &Scene,
+    method: Method,
+    width: u32,
+    height: u32,
+) -> Result<Core, CosimError> {
+    let order = order_of(method).ok_or(CosimError::NoCore(method))?;
+    let order = order_for(scene, order)?;
+    Core::for_frame(order, width, height).ok_or(CosimError::TooLarge { width, height })
+}
+
 /// The core for a filter of lines and a frame.
 ///
 /// # Errors
@@ -182,7 +201,7 @@ pub fn prelude(
     let core = if wires {
         line_core_for(scene.render.line, width, height)?
     } else {
-        core_for(method, width, height)?
+        scene_core_for(scene, method, width, height)?
     };
     refuse(scene)?;
     drawable(scene)?;
@@ -197,7 +216,7 @@ pub fn prelude(
             build_lines(filter, &lines, viewport, prepared.background, stimulus)?
         }
         _ => {
-            triangles = triangles_of(&prepared, method);
+            triangles = triangles_for(&prepared, method, core.order);
             build(&core, &triangles, viewport, stimulus)?
         }
     };
@@ -217,6 +236,15 @@ pub fn prelude(
         setup_ns,
         emit_ns,
     })
+}
+
+/// How the frame of the method is rendered: a core follows the mapping of a texture everywhere.
+fn method_options(core: &Core) -> RenderOptions {
+    let mut options = RenderOptions::default();
+    if matches!(core.order, Order::Textured(_)) {
+        options.skips = options.skips.but(skips::AFFINE).but(skips::CONSTANT_DEPTH);
+    }
+    options
 }
 
 /// Refuses scenes with anything that software alone draws.
@@ -243,7 +271,7 @@ pub fn cosim(scene: &Scene, o: &CosimOptions) -> Result<CosimReport, CosimError>
     )?;
     let begin = Instant::now();
     let expected: Vec<_> = p.trace.pixels.iter().map(|x| (x.x, x.y, x.rgb)).collect();
-    let (method_frame, _) = render(&p.prepared, o.method, &RenderOptions::default());
+    let (method_frame, _) = render(&p.prepared, o.method, &method_options(&p.trace.core));
     let (exact_frame, _) = render(&p.prepared, Method::Exact, &RenderOptions::default());
     let frames = Frames::new(
         &p.prepared,

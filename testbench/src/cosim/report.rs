@@ -217,6 +217,17 @@ fn first_mismatch(i: &Inputs) -> Option<FirstMismatch> {
     })
 }
 
+fn arithmetic(order: Order, error: &FragmentError) -> BTreeMap<&'static str, f64> {
+    let mut all = BTreeMap::from([
+        ("max_lsb", f64::from(error.max_lsb)),
+        ("rms_lsb", error.rms_lsb),
+    ]);
+    if let Order::Textured(_) = order {
+        all.insert("border_pixels", error.border_pixels as f64);
+    }
+    all
+}
+
 impl CosimReport {
     pub(super) fn new(i: Inputs) -> Self {
         let p = i.prelude;
@@ -249,10 +260,7 @@ impl CosimReport {
             first_mismatch: first_mismatch(&i),
             error: i.against_exact.into(),
             method_f64: i.against_method.into(),
-            arithmetic: BTreeMap::from([
-                ("max_lsb", f64::from(i.fragments.max_lsb)),
-                ("rms_lsb", i.fragments.rms_lsb),
-            ]),
+            arithmetic: arithmetic(core.order, &i.fragments),
             error_bound_lsb: core.error_bound(longest_run(width, height).unwrap_or(u32::MAX)),
             formats: match core.order {
                 Order::Line(_) => p

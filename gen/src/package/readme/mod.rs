@@ -8,6 +8,7 @@ use super::{Manifest, Target};
 use shadegate_constraints::Format;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
+use shadegate_hdl::texture::Mapping;
 
 /// Text of `README.md`. `example` is the text of the example's file.
 pub fn readme(m: &Manifest, core: &Core, target: Option<Target>, example: &str) -> String {
@@ -22,6 +23,17 @@ pub fn readme(m: &Manifest, core: &Core, target: Option<Target>, example: &str) 
         Order::QuadraticDots => {
             "quadrics of N·L and N·H through six knots, and the light that the material reflects per pixel"
         }
+        Order::Textured(t) => match t.mapping {
+            Mapping::Affine => {
+                "a quadric through six colours times a texture whose addresses are linear on the screen"
+            }
+            Mapping::Quadratic => {
+                "a quadric through six colours times a texture whose addresses are quadratic on the screen"
+            }
+            Mapping::Perspective => {
+                "a quadric through six colours times a texture in true perspective"
+            }
+        },
         Order::Line(_) => "lines",
         Order::Span(kind) => super::span_registers::about(kind),
     };

@@ -20,15 +20,20 @@ const COLOURS: [(&str, &str); 9] = [
     ("blue specular", "blue of the highlight"),
 ];
 
-/// Fence and material.
-pub fn registers() -> Vec<Register> {
-    let mut all = vec![fields(
+/// The fence.
+pub fn fence() -> Register {
+    fields(
         "shell",
         FENCE_WORD,
         "fence",
         "lowers load_ready until all pixels before it have been coloured",
         vec![field(0, 0, "anything")],
-    )];
+    )
+}
+
+/// Fence and material.
+pub fn registers() -> Vec<Register> {
+    let mut all = vec![fence()];
     for (word, (name, meaning)) in (0u8..).zip(COLOURS) {
         let frac = match word % 3 {
             0 => AMBIENT_FRACTION_BITS,
