@@ -3,9 +3,10 @@
 use crate::outcome::Failure;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
-use shadegate_gen::scene::{order_of, CORES, LINES};
+use shadegate_gen::scene::{order_for, order_of, BY_SCENE, CORES, LINES};
 use shadegate_gen::wrapper::Wrapper;
 use shadegate_hdl::shade::device::Core;
+use shadegate_hdl::shade::model::Order;
 use shadegate_reference::antialias::Antialias;
 use shadegate_reference::line::LineFilter;
 use shadegate_reference::method::UnknownName;
@@ -48,7 +49,7 @@ pub fn antialiasing() -> Vec<&'static str> {
 
 /// Names of the cores; the method, or the filter of lines, that a core draws has the same name.
 pub fn cores() -> Vec<&'static str> {
-    let triangles = CORES.iter().map(|c| c.0);
+    let triangles = CORES.iter().chain(&BY_SCENE).map(|c| c.0);
     triangles.chain(LINES.iter().map(|l| l.0)).collect()
 }
 
@@ -87,7 +88,7 @@ pub fn method(name: &str) -> Result<Method, Failure> {
 
 /// The method that the core of this name draws.
 pub fn core(name: &str) -> Result<Method, Failure> {
-    let known = CORES.iter().find(|c| c.0 == name);
+    let known = CORES.iter().chain(&BY_SCENE).find(|c| c.0 == name);
     known
         .map(|c| c.2)
         .ok_or_else(|| Failure::input(UnknownName::new("core", name, &cores())))
@@ -111,6 +112,8 @@ pub enum Drawing {
     Shaded(Method),
     /// Lines, by a filter.
     Lines(LineFilter),
+    /// Whatever a core draws that scenes choose by their lights and materials.
+    Core(Order),
 }
 
 impl Drawing {
@@ -119,6 +122,10 @@ impl Drawing {
         match self {
             Self::Shaded(method) => method.name(),
             Self::Lines(filter) => filter.name(),
+            Self::Core(order) => {
+                let by_scene = BY_SCENE.iter().find(|c| c.1 == order);
+                by_scene.map_or("", |c| c.0)
+            }
         }
     }
 
@@ -127,6 +134,9 @@ impl Drawing {
         match self {
             Self::Shaded(method) => core_for(method, width, height),
             Self::Lines(filter) => line_core_for(filter, width, height),
+            Self::Core(order) => {
+                Core::for_frame(order, width, height).ok_or(CosimError::TooLarge { width, height })
+            }
         }
     }
 }
@@ -137,9 +147,11 @@ fn filter_of(name: &str) -> Option<LineFilter> {
 
 /// What the core of this name draws.
 pub fn drawing(name: &str) -> Result<Drawing, Failure> {
-    match filter_of(name) {
-        Some(filter) => Ok(Drawing::Lines(filter)),
-        None => core(name).map(Drawing::Shaded),
+    let by_scene = BY_SCENE.iter().find(|c| c.0 == name);
+    match (filter_of(name), by_scene) {
+        (Some(filter), _) => Ok(Drawing::Lines(filter)),
+        (None, Some(core)) => Ok(Drawing::Core(core.1)),
+        (None, None) => core(name).map(Drawing::Shaded),
     }
 }
 
@@ -181,10 +193,25 @@ pub fn drawing_of(
             CORES.map(|c| c.0).join(", ")
         ))),
         (false, _, None) => {
-            hardware_method(method_name, core_name, scene.render.method).map(Drawing::Shaded)
+            let method = hardware_method(method_name, core_name, scene.render.method)?;
+            named_core_draws(core_name, method, scene)?;
+            Ok(Drawing::Shaded(method))
         }
         // No name, no filter.
         (false, None, Some(_)) => hardware_method(None, None, scene.render.method).map(Drawing::Shaded),
+    }
+}
+
+/// Refuses a core that the user names when the lights and materials of the scene ask for another one of the method.
+fn named_core_draws(name: Option<&str>, method: Method, scene: &Scene) -> Result<(), Failure> {
+    let chosen = order_for(scene, method);
+    let all = CORES.iter().chain(&BY_SCENE);
+    let chosen = all.clone().find(|c| Some(c.1) == chosen).map(|c| c.0);
+    match (name, chosen) {
+        (Some(name), Some(chosen)) if name != chosen => Err(Failure::input(format!(
+            "core '{name}' does not draw the lights and materials of this scene; core '{chosen}' does, without --core"
+        ))),
+        _ => Ok(()),
     }
 }
 

@@ -3,7 +3,7 @@
 mod common;
 
 use common::{Folder, GOOD};
-use shadegate_gen::scene::{CORES, LINES};
+use shadegate_gen::scene::{BY_SCENE, CORES, LINES};
 use shadegate_reference::{Method, Skips};
 use std::sync::LazyLock;
 
@@ -181,7 +181,7 @@ fn names() {
 
 /// The names of all cores.
 fn cores() -> String {
-    let triangles = CORES.iter().map(|c| c.0);
+    let triangles = CORES.iter().chain(&BY_SCENE).map(|c| c.0);
     let all: Vec<_> = triangles.chain(LINES.iter().map(|l| l.0)).collect();
     all.join(", ")
 }

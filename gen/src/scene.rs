@@ -2,10 +2,11 @@
 
 mod reflected;
 
-pub use reflected::{suited, Unsuited};
+pub use reflected::{order_for, suited, Unsuited};
 
 use crate::spans;
 use crate::stimulus::{Line, Material, Triangle};
+use shadegate_hdl::light::Glint;
 use shadegate_hdl::line::Filter;
 use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::span_core::SpanKind;
@@ -62,6 +63,20 @@ pub const SET_UPS: [(Method, Order); 4] = [
     (Method::TaylorVertex, Order::QuadraticDots),
     (Method::XShading, Order::QuadraticDots),
     (Method::XShadingCached, Order::QuadraticDots),
+];
+
+/// Cores that a method takes where the lights and materials of a scene ask for them.
+pub const BY_SCENE: [(&str, Order, Method); 2] = [
+    (
+        "quadratic-dots-kappa",
+        Order::Glint(Glint::Kappa),
+        Method::QuadraticDots,
+    ),
+    (
+        "quadratic-dots-spot",
+        Order::Glint(Glint::Spot),
+        Method::QuadraticDots,
+    ),
 ];
 
 /// Filters of lines, each with its core, by catalogue name.
@@ -153,7 +168,7 @@ pub fn method_of(order: Order) -> Method {
     match order {
         Order::Linear => Method::Gouraud,
         Order::Quadratic => Method::Quadratic,
-        Order::QuadraticDots => Method::QuadraticDots,
+        Order::QuadraticDots | Order::Glint(_) => Method::QuadraticDots,
         // Wires are the same whatever shades the faces.
         Order::Line(_) => Method::Exact,
         Order::Span(SpanKind::Slerp) => Method::Slerp,
@@ -175,7 +190,7 @@ fn knots(p: &Prepared, index: usize, method: Method) -> (Vec<[f64; 3]>, Option<M
     match order_of(method).unwrap_or(Order::Linear) {
         Order::Linear => (shade::gouraud::knots(p, t).to_vec(), None),
         Order::Quadratic => (shade::quadratic::knots(p, t).to_vec(), None),
-        Order::QuadraticDots | Order::Duff => {
+        Order::QuadraticDots | Order::Duff | Order::Glint(_) => {
             let (knots, material) = reflected::knots(p, index, method);
             (knots, Some(material))
         }

@@ -2,6 +2,7 @@
 //! After a deliberate change: `SHADEGATE_BLESS=1 cargo test --release -p shadegate-gen --test expected_verilog`.
 
 use shadegate_gen::package::rtl;
+use shadegate_hdl::light::Glint;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::span_core::SpanKind;
@@ -14,6 +15,8 @@ fn cores_of_triangles() {
         Order::Quadratic,
         Order::QuadraticDots,
         Order::Duff,
+        Order::Glint(Glint::Kappa),
+        Order::Glint(Glint::Spot),
     ]);
 }
 

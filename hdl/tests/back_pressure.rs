@@ -4,6 +4,7 @@ mod support;
 
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
+use shadegate_hdl::light::Glint;
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::raster::Viewport;
 use support::{check_done, random_triangles, taken, Machine, Pixel};
@@ -71,6 +72,12 @@ fn quadratic_dots_core_under_any_pattern() {
 #[test]
 fn duff_core_under_any_pattern() {
     any_pattern(Order::Duff, 14);
+}
+
+#[test]
+fn cores_without_tables_under_any_pattern() {
+    any_pattern(Order::Glint(Glint::Kappa), 15);
+    any_pattern(Order::Glint(Glint::Spot), 16);
 }
 
 #[test]

@@ -5,6 +5,7 @@ mod support;
 
 use rand::rngs::StdRng;
 use rand::SeedableRng;
+use shadegate_hdl::light::Glint;
 use shadegate_hdl::shade::model::{CoreOutputs, Order};
 use shadegate_reference::raster::Viewport;
 use support::{check_done, random_triangles, taken, Machine, Triangle};
@@ -56,6 +57,8 @@ fn no_bubbles_in_or_between_triangles() {
     no_bubbles(Order::Linear, 2);
     no_bubbles(Order::QuadraticDots, 5);
     no_bubbles(Order::Duff, 6);
+    no_bubbles(Order::Glint(Glint::Kappa), 7);
+    no_bubbles(Order::Glint(Glint::Spot), 8);
 }
 
 #[test]
@@ -125,6 +128,8 @@ fn the_first_pixel_comes_with_the_stated_latency() {
         Order::Linear,
         Order::QuadraticDots,
         Order::Duff,
+        Order::Glint(Glint::Kappa),
+        Order::Glint(Glint::Spot),
     ] {
         let mut m = Machine::new(order, SIZE.width, SIZE.height);
         let t = Triangle::flat([(0.0, 0.0), (9.0, 0.0), (0.0, 9.0)], 1);

@@ -6,8 +6,9 @@ use crate::names::{check_names, drawing, drawing_of, Drawing};
 use crate::outcome::Failure;
 use serde_json::{json, Value};
 use shadegate_gen::package::{rtl, PackageFile};
-use shadegate_gen::scene::{drawable, order_of, suited};
+use shadegate_gen::scene::{drawable, order_for, suited};
 use shadegate_gen::verilog::VerilogFile;
+use shadegate_hdl::shade::model::Order;
 use shadegate_reference::scene;
 use shadegate_testbench::cosim::CosimError;
 use shadegate_testbench::synthesis::Design;
@@ -35,11 +36,14 @@ pub fn subject(a: &SynthArgs, size: Option<(u32, u32)>) -> Result<Subject, Failu
         (Some(file), _) => {
             check_names(a.method.as_deref(), None)?;
             let mut scene = scene::load(file).map_err(Failure::input)?;
-            let drawing = drawing_of(a.method.as_deref(), None, &mut scene)?;
+            let mut drawing = drawing_of(a.method.as_deref(), None, &mut scene)?;
             drawable(&scene).map_err(Failure::input)?;
             if let Drawing::Shaded(method) = drawing {
-                if let Some(order) = order_of(method) {
+                if let Some(order) = order_for(&scene, method) {
                     suited(&scene, order).map_err(Failure::input)?;
+                    if matches!(order, Order::Glint(_)) {
+                        drawing = Drawing::Core(order);
+                    }
                 }
             }
             (drawing, (scene.image.width, scene.image.height))

@@ -7,6 +7,7 @@ use super::blake::BlakeCore;
 use super::chebyshev::ChebyshevCore;
 use super::duff::DuffCore;
 use super::gouraud::GouraudCore;
+use super::kappa::KappaCore;
 use super::model::{bus_bits, CoreInputs, CoreModel, CoreOutputs, Order};
 use super::phong::power::{PLACE_FRACTION_BITS, PLACE_INTEGER_BITS, STEEPEST};
 use super::phong::{inverse_root, unit_cosines};
@@ -15,8 +16,10 @@ use super::quadratic::QuadraticCore;
 use super::quadratic_dots::QuadraticDotsCore;
 use super::slerp::SlerpCore;
 use super::spherical::SphericalCore;
+use super::spot::SpotCore;
 use super::COLOUR_INTEGER_BITS;
 use crate::format::U;
+use crate::light::{self, Glint, STEEPEST_HIGHLIGHT, STEEPEST_SPOT};
 use crate::line::box_filter::BoxCore;
 use crate::line::bresenham::BresenhamCore;
 use crate::line::cone::ConeCore;
@@ -39,6 +42,15 @@ pub type QuadraticDotsWide = QuadraticDotsCore<19, 49, 21>;
 pub type DuffNarrow = DuffCore<15, 45, 17>;
 /// Duff core with N·L, N·H and |N|² in Q1.47, 49-bit bus, 2^21 frame addresses.
 pub type DuffWide = DuffCore<19, 49, 21>;
+
+/// Quadratic-dots-kappa core with the formats of [`QuadraticDotsNarrow`].
+pub type KappaNarrow = KappaCore<15, 45, 17>;
+/// Quadratic-dots-kappa core with the formats of [`QuadraticDotsWide`].
+pub type KappaWide = KappaCore<19, 49, 21>;
+/// Quadratic-dots-spot core with the formats of [`QuadraticDotsNarrow`], the place in the cone as that in the lobe.
+pub type SpotNarrow = SpotCore<15, 45, 17>;
+/// Quadratic-dots-spot core with the formats of [`QuadraticDotsWide`], the place in the cone as that in the lobe.
+pub type SpotWide = SpotCore<19, 49, 21>;
 
 /// Longest run of the narrow formats.
 pub const NARROW_RUN: u32 = 1023;
@@ -96,6 +108,7 @@ impl Core {
             Order::Line(filter) => filter.core_name(),
             Order::Span(kind) => kind.name(),
             Order::Duff => "duff",
+            Order::Glint(glint) => glint.name(),
         }
     }
 
@@ -117,6 +130,17 @@ impl Core {
                 ("light", LIGHT_INTEGER_BITS, LIGHT_FRACTION_BITS + n),
                 ("lobe", PLACE_INTEGER_BITS, PLACE_FRACTION_BITS + n),
             ],
+            Order::Glint(glint) => {
+                let place = (PLACE_INTEGER_BITS, PLACE_FRACTION_BITS + n);
+                let mut all = vec![
+                    ("light", LIGHT_INTEGER_BITS, LIGHT_FRACTION_BITS + n),
+                    ("lobe", place.0, place.1),
+                ];
+                if glint == Glint::Spot {
+                    all.push(("cone", place.0, place.1));
+                }
+                all
+            }
             Order::Duff => vec![(
                 "dot",
                 unit_cosines::INTEGER_BITS,
@@ -133,8 +157,8 @@ impl Core {
             (Order::Quadratic, true) => 24,
             (Order::Linear, false) => 12,
             (Order::Linear, true) => 14,
-            (Order::QuadraticDots | Order::Duff, false) => 15,
-            (Order::QuadraticDots | Order::Duff, true) => 19,
+            (Order::QuadraticDots | Order::Duff | Order::Glint(_), false) => 15,
+            (Order::QuadraticDots | Order::Duff | Order::Glint(_), true) => 19,
             (Order::Line(_), _) => crate::line::cue::FRACTION_BITS,
             (Order::Span(_), _) => crate::lit::channel::COLOUR_FRACTION_BITS,
         }
@@ -146,6 +170,7 @@ impl Core {
         5 + match self.order {
             Order::Linear | Order::Quadratic => 0,
             Order::QuadraticDots => STAGES as u32,
+            Order::Glint(_) => light::STAGES as u32,
             Order::Duff => (unit_cosines::STAGES + STAGES) as u32,
             Order::Line(filter) => return filter.latency(),
             // One register level less before the pixel registers and five stages behind.
@@ -187,7 +212,9 @@ impl Core {
         let n = f64::from(run);
         let words = match self.order {
             Order::Linear | Order::Line(_) | Order::Span(_) => 1.0 + n,
-            Order::Quadratic | Order::QuadraticDots | Order::Duff => 1.0 + n * (n + 1.0) / 2.0,
+            Order::Quadratic | Order::QuadraticDots | Order::Duff | Order::Glint(_) => {
+                1.0 + n * (n + 1.0) / 2.0
+            }
         };
         let unit = words / 2f64.powi(self.fraction_bits() as i32 + 1);
         match self.order {
@@ -198,6 +225,18 @@ impl Core {
                 let light = 2f64.powi(-(LIGHT_FRACTION_BITS as i32));
                 let lobe = STEEPEST * 2f64.powi(-(PLACE_FRACTION_BITS as i32));
                 255.0 * unit * (light + lobe) + ERROR_LSB
+            }
+            Order::Glint(glint) => {
+                let light = 2f64.powi(-(LIGHT_FRACTION_BITS as i32));
+                let place = 2f64.powi(-(PLACE_FRACTION_BITS as i32));
+                let (steep, rest) = match glint {
+                    Glint::Kappa => (STEEPEST_HIGHLIGHT, light::KAPPA_ERROR_LSB),
+                    Glint::Spot => (
+                        STEEPEST_HIGHLIGHT + 2.0 * STEEPEST_SPOT,
+                        light::SPOT_ERROR_LSB,
+                    ),
+                };
+                255.0 * unit * (light + steep * place) + rest
             }
             // |N|² of at least 1/4 and exponents up to 144, whose lobe has the scale 2³.
             Order::Duff => {
@@ -233,6 +272,10 @@ impl Core {
             (Order::Duff, false) => f.visit(DuffNarrow::new(self.pixels)),
             (Order::Duff, true) => f.visit(DuffWide::new(self.pixels)),
             (Order::QuadraticDots, true) => f.visit(QuadraticDotsWide::new(self.pixels)),
+            (Order::Glint(Glint::Kappa), false) => f.visit(KappaNarrow::new(self.pixels)),
+            (Order::Glint(Glint::Kappa), true) => f.visit(KappaWide::new(self.pixels)),
+            (Order::Glint(Glint::Spot), false) => f.visit(SpotNarrow::new(self.pixels)),
+            (Order::Glint(Glint::Spot), true) => f.visit(SpotWide::new(self.pixels)),
             (Order::Line(filter), false) => filter.with_design::<17, R>(self.pixels, f),
             (Order::Line(filter), true) => filter.with_design::<21, R>(self.pixels, f),
             (Order::Span(kind), false) => kind.with_design::<17, R>(self.pixels, f),
@@ -291,6 +334,8 @@ core_ports!(QuadraticCore, D, N, B, A);
 core_ports!(GouraudCore, D, N, B, A);
 core_ports!(QuadraticDotsCore, N, B, A);
 core_ports!(DuffCore, N, B, A);
+core_ports!(KappaCore, N, B, A);
+core_ports!(SpotCore, N, B, A);
 core_ports!(SlerpCore, A);
 core_ports!(ChebyshevCore, A);
 core_ports!(BlakeCore, A);

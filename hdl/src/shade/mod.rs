@@ -5,6 +5,7 @@ pub mod chebyshev;
 pub mod device;
 pub mod duff;
 pub mod gouraud;
+pub mod kappa;
 pub mod model;
 pub mod phong;
 pub mod pixel_stream;
@@ -16,6 +17,7 @@ pub mod span_bound;
 pub mod span_core;
 pub mod span_model;
 pub mod spherical;
+pub mod spot;
 
 /// Integer bits of a colour word: ±2048 LSB holds a six-knot colour of knots in 0..=1530.
 pub const COLOUR_INTEGER_BITS: usize = 11;

@@ -8,6 +8,7 @@ pub use machine::{check_done, taken, Machine, Pixel};
 
 use rand::rngs::StdRng;
 use rand::Rng;
+use shadegate_hdl::light::Glint;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::phong::root_model::arguments;
@@ -105,10 +106,14 @@ impl Triangle {
                 (Order::Duff, 0) => (0x10, 4),
                 (Order::Duff, 1) => (0x14, 4),
                 (Order::Duff, 2) => (0x20, 10),
-                (Order::Quadratic | Order::QuadraticDots, 0..=2) => (16 << channel, 10),
+                (Order::Glint(Glint::Kappa), 2) => (0, 0),
+                (Order::Glint(Glint::Spot), 2) => (0x84, 10),
+                (Order::Quadratic | Order::QuadraticDots | Order::Glint(_), 0..=2) => {
+                    (16 << channel, 10)
+                }
                 _ => (16 << channel, 4),
             };
-            writes.extend((0..count).map(|i| (select | i, words[usize::from(i)] as u64)));
+            writes.extend((0..count).map(|i| (select + i, words[usize::from(i)] as u64)));
         }
         writes
     }
@@ -148,6 +153,7 @@ impl Triangle {
             let levels = match kind.order {
                 Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => values,
                 Order::QuadraticDots => [0, 1, 2].map(|c| material::level(c, values[0], values[1])),
+                Order::Glint(g) => [0, 1, 2].map(|c| material::glint(c, g, values)),
                 Order::Duff => {
                     let [light, place] = arguments(values, 0);
                     [0, 1, 2].map(|c| material::level(c, light, place))
@@ -178,13 +184,14 @@ pub fn random_triangles(
     let unit = 1i64 << kind.fraction_bits();
     let bend = |unit: i64| match kind.order {
         Order::Linear | Order::Line(_) | Order::Span(_) => 0,
-        Order::Quadratic | Order::QuadraticDots => unit / 32,
+        Order::Quadratic | Order::QuadraticDots | Order::Glint(_) => unit / 32,
         Order::Duff => 0,
     };
     // What a step of 8-bit colour is to an interpolant.
     let units = match kind.order {
         Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => [unit; 3],
         Order::QuadraticDots => [unit << (16 - 8), unit << (19 - 8), 0],
+        Order::Glint(_) => [unit << (16 - 8), unit << (19 - 8), unit << (19 - 8)],
         Order::Duff => [unit << (28 - 8); 3],
     };
     let mut out: Vec<Triangle> = vec![];

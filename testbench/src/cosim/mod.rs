@@ -13,7 +13,8 @@ use crate::engine::{run, Engine, EngineError, Wave};
 use frames::Frames;
 use shadegate_gen::package::{package, rtl, Package, PackageError};
 use shadegate_gen::scene::{
-    self, drawable, line_order, order_of, suited, triangles_of, Undrawable, Unsuited, CORES,
+    self, drawable, line_order, order_for, order_of, suited, triangles_of, Undrawable, Unsuited,
+    CORES,
 };
 use shadegate_gen::spans::{self, Refused};
 use shadegate_gen::stimulus::{build, build_lines, Line, StimulusError, StimulusOptions};
@@ -123,6 +124,16 @@ pub fn core_for(method: Method, width: u32, height: u32) -> Result<Core, CosimEr
     Core::for_frame(order, width, height).ok_or(CosimError::TooLarge { width, height })
 }
 
+/// The core of a method for what a scene has, and a frame.
+///
+/// # Errors
+/// Methods without a core, frames beyond the coordinate range.
+fn core_for_scene(scene: &Scene, method: Method, size: (u32, u32)) -> Result<Core, CosimError> {
+    let order = order_for(scene, method).ok_or(CosimError::NoCore(method))?;
+    let (width, height) = size;
+    Core::for_frame(order, width, height).ok_or(CosimError::TooLarge { width, height })
+}
+
 /// The core for a filter of lines and a frame.
 ///
 /// # Errors
@@ -182,7 +193,7 @@ pub fn prelude(
     let core = if wires {
         line_core_for(scene.render.line, width, height)?
     } else {
-        core_for(method, width, height)?
+        core_for_scene(scene, method, (width, height))?
     };
     refuse(scene)?;
     drawable(scene)?;
@@ -243,13 +254,19 @@ pub fn cosim(scene: &Scene, o: &CosimOptions) -> Result<CosimReport, CosimError>
     )?;
     let begin = Instant::now();
     let expected: Vec<_> = p.trace.pixels.iter().map(|x| (x.x, x.y, x.rgb)).collect();
-    let (method_frame, _) = render(&p.prepared, o.method, &RenderOptions::default());
+    let method_frame = match p.trace.core.order {
+        Order::Glint(_) => frames::method_frame(&p),
+        _ => {
+            let (frame, _) = render(&p.prepared, o.method, &RenderOptions::default());
+            frame.pixels
+        }
+    };
     let (exact_frame, _) = render(&p.prepared, Method::Exact, &RenderOptions::default());
     let frames = Frames::new(
         &p.prepared,
         &expected,
         &result.pixels,
-        &method_frame.pixels,
+        &method_frame,
         &exact_frame.pixels,
     );
     let view = |pixels| Rgb8Ref::new(p.prepared.width, p.prepared.height, pixels);

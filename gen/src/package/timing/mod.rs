@@ -12,7 +12,7 @@ pub use wavedrom::wavedrom;
 
 use crate::spans::sample;
 use crate::stimulus::{
-    build, single_line, Material, Stimulus, StimulusError, StimulusOptions, Triangle,
+    build, single_line, Cone, Lobe, Material, Stimulus, StimulusError, StimulusOptions, Triangle,
 };
 use crate::vectors::Trace;
 use shadegate_hdl::shade::device::Core;
@@ -80,11 +80,16 @@ fn triangle(order: Order) -> Triangle {
 pub(super) fn material(order: Order) -> Option<Material> {
     match order {
         Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => None,
-        Order::QuadraticDots | Order::Duff => Some(Material {
+        Order::QuadraticDots | Order::Duff | Order::Glint(_) => Some(Material {
             ambient: [20.0, 10.0, 5.0],
             diffuse: [200.0, 120.0, 60.0],
             specular: [0.0; 3],
             shininess: 1.0,
+            lobe: Lobe::Power,
+            cone: Some(Cone {
+                hard: false,
+                width: 0.5,
+            }),
         }),
     }
 }
@@ -93,7 +98,8 @@ pub(super) fn material(order: Order) -> Option<Material> {
 pub(super) fn cosines(order: Order, knots: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
     match order {
         Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => knots,
-        Order::QuadraticDots | Order::Duff => {
+        // In the middle of the cone.
+        Order::QuadraticDots | Order::Duff | Order::Glint(_) => {
             knots.iter().map(|k| [k[0] / 255.0, 0.0, 1.0]).collect()
         }
     }
