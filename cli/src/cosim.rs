@@ -75,7 +75,7 @@ pub fn run(a: &CosimArgs, global: Global) -> Outcome {
     let options = CosimOptions {
         method: match drawing {
             Drawing::Shaded(method) => method,
-            Drawing::Lines(_) | Drawing::Textured(_) => scene.render.method,
+            Drawing::Lines(_) | Drawing::Core(_) => scene.render.method,
         },
         engine,
         size,

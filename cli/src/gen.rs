@@ -156,7 +156,7 @@ fn of_scene(
     let drawing = drawing_of(method, None, &mut scene)?;
     let method = match drawing {
         Drawing::Shaded(method) => method,
-        Drawing::Lines(_) | Drawing::Textured(_) => scene.render.method,
+        Drawing::Lines(_) | Drawing::Core(_) => scene.render.method,
     };
     let p = prelude(&scene, method, size, &StimulusOptions::default()).map_err(failure)?;
     let name = format!("{}-{}-core", scene.name, drawing.name());

@@ -3,7 +3,7 @@
 use crate::outcome::Failure;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
-use shadegate_gen::scene::{is_textured, order_for, order_of, CORES, LINES, TEXTURED};
+use shadegate_gen::scene::{order_for, order_of, BY_SCENE, CORES, LINES, TEXTURED};
 use shadegate_gen::wrapper::Wrapper;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
@@ -49,15 +49,22 @@ pub fn antialiasing() -> Vec<&'static str> {
 
 /// Names of the cores; the method, or the filter of lines, that a core draws has the same name.
 pub fn cores() -> Vec<&'static str> {
-    let triangles = CORES.iter().map(|c| c.0);
+    let triangles = CORES.iter().chain(&BY_SCENE).map(|c| c.0);
     let lines = LINES.iter().map(|l| l.0);
     let textured = TEXTURED.iter().map(|t| t.0);
     triangles.chain(textured).chain(lines).collect()
 }
 
-/// The textured core of this name.
-fn textured(name: &str) -> Option<Order> {
-    TEXTURED.iter().find(|t| t.0 == name).map(|t| t.1)
+/// Whether the core of this name is a textured one.
+fn is_textured(name: &str) -> bool {
+    TEXTURED.iter().any(|t| t.0 == name)
+}
+
+/// The core of this name, if a scene chooses it by its textures, lights and materials.
+fn by_scene(name: &str) -> Option<Order> {
+    let lit = BY_SCENE.iter().map(|c| (c.0, c.1));
+    let found = lit.chain(TEXTURED).find(|c| c.0 == name);
+    found.map(|c| c.1)
 }
 
 /// Engines of the co-simulation.
@@ -95,7 +102,7 @@ pub fn method(name: &str) -> Result<Method, Failure> {
 
 /// The method that the core of this name draws.
 pub fn core(name: &str) -> Result<Method, Failure> {
-    let known = CORES.iter().find(|c| c.0 == name);
+    let known = CORES.iter().chain(&BY_SCENE).find(|c| c.0 == name);
     known
         .map(|c| c.2)
         .ok_or_else(|| Failure::input(UnknownName::new("core", name, &cores())))
@@ -119,8 +126,8 @@ pub enum Drawing {
     Shaded(Method),
     /// Lines, by a filter.
     Lines(LineFilter),
-    /// Triangles with a texture, by one of the textured cores.
-    Textured(Order),
+    /// Whatever a core draws that scenes choose by their textures, lights and materials.
+    Core(Order),
 }
 
 impl Drawing {
@@ -129,12 +136,10 @@ impl Drawing {
         match self {
             Self::Shaded(method) => method.name(),
             Self::Lines(filter) => filter.name(),
-            Self::Textured(order) => {
-                let same = |t: &&(&'static str, Order)| match (t.1, order) {
-                    (Order::Textured(a), Order::Textured(b)) => a.mapping == b.mapping,
-                    _ => false,
-                };
-                TEXTURED.iter().find(same).map_or("textured", |t| t.0)
+            Self::Core(Order::Textured(t)) => t.name(),
+            Self::Core(order) => {
+                let by_scene = BY_SCENE.iter().find(|c| c.1 == order);
+                by_scene.map_or("", |c| c.0)
             }
         }
     }
@@ -144,7 +149,7 @@ impl Drawing {
         match self {
             Self::Shaded(method) => core_for(method, width, height),
             Self::Lines(filter) => line_core_for(filter, width, height),
-            Self::Textured(order) => {
+            Self::Core(order) => {
                 Core::for_frame(order, width, height).ok_or(CosimError::TooLarge { width, height })
             }
         }
@@ -157,9 +162,9 @@ fn filter_of(name: &str) -> Option<LineFilter> {
 
 /// What the core of this name draws.
 pub fn drawing(name: &str) -> Result<Drawing, Failure> {
-    match (filter_of(name), textured(name)) {
+    match (filter_of(name), by_scene(name)) {
         (Some(filter), _) => Ok(Drawing::Lines(filter)),
-        (None, Some(order)) => Ok(Drawing::Textured(order)),
+        (None, Some(order)) => Ok(Drawing::Core(order)),
         (None, None) => core(name).map(Drawing::Shaded),
     }
 }
@@ -172,7 +177,7 @@ pub fn check_names(method_name: Option<&str>, core_name: Option<&str>) -> Result
             format!("core '{c}' does not draw method '{m}'; leave out one of --core and --method"),
         )),
         (m, c) if line(m) || line(c) => Ok(()),
-        (m, Some(c)) if textured(c).is_some() => match m.map(method).transpose()? {
+        (m, Some(c)) if is_textured(c) => match m.map(method).transpose()? {
             None | Some(Method::Gouraud | Method::Quadratic) => Ok(()),
             Some(m) => Err(Failure::input(format!(
                 "core '{c}' does not draw method '{m}'; expected method gouraud or quadratic"
@@ -213,29 +218,33 @@ pub fn drawing_of(
     }
 }
 
-/// The method of a scene of triangles. A core that the user names is the one that its textures take.
+/// The method of a scene of triangles. A core that the user names must be the one that the scene's textures, lights and
+/// materials take.
 fn shaded(
     method_name: Option<&str>,
     core_name: Option<&str>,
     scene: &Scene,
 ) -> Result<Method, Failure> {
-    let covered = core_name.filter(|c| textured(c).is_some() || is_textured(scene));
-    let Some(core_name) = covered else {
-        return hardware_method(method_name, core_name, scene.render.method);
-    };
-    let method = hardware_method(method_name, None, scene.render.method)?;
-    let own = order_of(method).map_or(Ok(Order::Quadratic), |o| order_for(scene, o));
-    let order = own.map_err(Failure::input)?;
-    let takes = match order {
-        Order::Textured(t) => t.name(),
-        _ => method.name(),
-    };
-    if takes == core_name {
+    let own = core_name.filter(|c| !is_textured(c));
+    let method = hardware_method(method_name, own, scene.render.method)?;
+    let (Some(named), Some(order)) = (core_name, order_of(method)) else {
         return Ok(method);
+    };
+    // The method of a set-up goes by the name of its core.
+    let takes = order_for(scene, method).map_err(Failure::input)?;
+    let takes = takes
+        .filter(|t| *t != order)
+        .map(|t| Drawing::Core(t).name());
+    match takes {
+        Some(takes) if takes != named => Err(Failure::input(format!(
+            "core '{named}' does not draw this scene; the one for its textures, lights and materials is '{takes}'"
+        ))),
+        None if by_scene(named).is_some() => Err(Failure::input(format!(
+            "core '{named}' does not draw this scene; the one for its textures, lights and materials is '{}'",
+            method.name()
+        ))),
+        _ => Ok(method),
     }
-    Err(Failure::input(format!(
-        "core '{core_name}' does not draw this scene; the one for its materials is '{takes}'"
-    )))
 }
 
 /// The method from what the user says of method and core, or else from the scene.

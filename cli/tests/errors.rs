@@ -3,7 +3,7 @@
 mod common;
 
 use common::{Folder, GOOD};
-use shadegate_gen::scene::{CORES, LINES, TEXTURED};
+use shadegate_gen::scene::{BY_SCENE, CORES, LINES, TEXTURED};
 use shadegate_reference::{Method, Skips};
 use std::sync::LazyLock;
 
@@ -185,7 +185,7 @@ fn names() {
 
 /// The names of all cores.
 fn cores() -> String {
-    let triangles = CORES.iter().map(|c| c.0);
+    let triangles = CORES.iter().chain(&BY_SCENE).map(|c| c.0);
     let textured = TEXTURED.iter().map(|t| t.0);
     let lines = LINES.iter().map(|l| l.0);
     let all: Vec<_> = triangles.chain(textured).chain(lines).collect();

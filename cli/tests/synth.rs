@@ -127,6 +127,7 @@ fn what_cannot_be_synthesised_is_refused() {
             "unknown core 'goraud'; the nearest is 'gouraud' of {}",
             shadegate_gen::scene::CORES
                 .iter()
+                .chain(&shadegate_gen::scene::BY_SCENE)
                 .map(|c| c.0)
                 .chain(shadegate_gen::scene::TEXTURED.iter().map(|t| t.0))
                 .chain(shadegate_gen::scene::LINES.iter().map(|l| l.0))

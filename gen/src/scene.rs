@@ -4,10 +4,11 @@ mod reflected;
 mod textured;
 
 pub use reflected::{suited, Unsuited};
-pub use textured::{is_textured, order_for, texturing};
+pub use textured::{is_textured, texturing};
 
 use crate::spans;
 use crate::stimulus::{Line, Material, Triangle};
+use shadegate_hdl::light::Glint;
 use shadegate_hdl::line::Filter;
 use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::span_core::SpanKind;
@@ -82,6 +83,20 @@ const fn usual(mapping: Mapping) -> Order {
     })
 }
 
+/// Cores that a method takes where the lights and materials of a scene ask for them.
+pub const BY_SCENE: [(&str, Order, Method); 2] = [
+    (
+        "quadratic-dots-kappa",
+        Order::Glint(Glint::Kappa),
+        Method::QuadraticDots,
+    ),
+    (
+        "quadratic-dots-spot",
+        Order::Glint(Glint::Spot),
+        Method::QuadraticDots,
+    ),
+];
+
 /// Filters of lines, each with its core, by catalogue name.
 pub const LINES: [(&str, Order, LineFilter); 3] = [
     (
@@ -132,7 +147,7 @@ pub struct Undrawable {
     pub what: &'static str,
 }
 
-/// Whether cores can draw a scene. What they draw of textures is in [`order_for`].
+/// Whether cores can draw a scene. What they draw of textures is in [`texturing`].
 ///
 /// # Errors
 /// The first material of an object that they cannot draw.
@@ -164,13 +179,24 @@ pub fn order_of(method: Method) -> Option<Order> {
         .map(|(_, order)| order)
 }
 
+/// The core of a method for a scene: what its textures, or else its lights and materials, ask for. None where the method has
+/// no core.
+///
+/// # Errors
+/// Textures that no core draws.
+pub fn order_for(scene: &Scene, method: Method) -> Result<Option<Order>, Unsuited> {
+    let lit = reflected::order_for(scene, method);
+    lit.map(|order| textured::order_for(scene, order))
+        .transpose()
+}
+
 /// The software method that has the name of a core.
 #[must_use]
 pub fn method_of(order: Order) -> Method {
     match order {
         Order::Linear => Method::Gouraud,
         Order::Quadratic => Method::Quadratic,
-        Order::QuadraticDots => Method::QuadraticDots,
+        Order::QuadraticDots | Order::Glint(_) => Method::QuadraticDots,
         // Wires are the same whatever shades the faces.
         Order::Line(_) => Method::Exact,
         Order::Span(SpanKind::Slerp) => Method::Slerp,
@@ -193,7 +219,7 @@ fn knots(p: &Prepared, index: usize, method: Method) -> (Vec<[f64; 3]>, Option<M
     match order_of(method).unwrap_or(Order::Linear) {
         Order::Linear => (shade::gouraud::knots(p, t).to_vec(), None),
         Order::Quadratic | Order::Textured(_) => (shade::quadratic::knots(p, t).to_vec(), None),
-        Order::QuadraticDots | Order::Duff => {
+        Order::QuadraticDots | Order::Duff | Order::Glint(_) => {
             let (knots, material) = reflected::knots(p, index, method);
             (knots, Some(material))
         }

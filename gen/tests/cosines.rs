@@ -4,7 +4,7 @@
 
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
-use shadegate_gen::stimulus::{build, Material, StimulusOptions, Triangle};
+use shadegate_gen::stimulus::{build, Lobe, Material, StimulusOptions, Triangle};
 use shadegate_gen::vectors::Trace;
 use shadegate_hdl::shade::device::{longest_run, Core};
 use shadegate_hdl::shade::model::Order;
@@ -50,6 +50,8 @@ fn material(r: &mut StdRng) -> Material {
         diffuse,
         specular: [255.0, 128.0, 31.0],
         shininess: [1.0, 1.5, 5.0, 20.0, 50.0, 100.0, 128.0, 500.0, 2048.0][r.random_range(0..9)],
+        lobe: Lobe::Power,
+        cone: None,
     }
 }
 
@@ -198,6 +200,8 @@ fn what_the_core_cannot_draw_is_refused_by_number() {
                 diffuse: [2.0; 3],
                 specular: [3.0; 3],
                 shininess: 20.0,
+                lobe: Lobe::Power,
+                cone: None,
             };
             change(&mut m);
             t.material = Some(m);
@@ -249,6 +253,8 @@ fn a_material_is_written_when_it_changes() {
         diffuse: [90.0; 3],
         specular: [0.0; 3],
         shininess: 20.0,
+        lobe: Lobe::Power,
+        cone: None,
     };
     let gloss = Material {
         specular: [50.0; 3],

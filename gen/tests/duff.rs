@@ -3,7 +3,7 @@
 
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
-use shadegate_gen::stimulus::{build, Material, StimulusOptions, Triangle};
+use shadegate_gen::stimulus::{build, Lobe, Material, StimulusOptions, Triangle};
 use shadegate_gen::vectors::Trace;
 use shadegate_hdl::shade::device::{longest_run, Core};
 use shadegate_hdl::shade::model::Order;
@@ -77,6 +77,8 @@ impl Case {
                 diffuse: [255.0, 200.0, 99.9],
                 specular: [255.0, 128.0, 31.0],
                 shininess: fitting[r.random_range(0..fitting.len())],
+                lobe: Lobe::Power,
+                cone: None,
             }),
             covering: None,
             label: format!("case {i}"),

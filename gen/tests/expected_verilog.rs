@@ -3,6 +3,7 @@
 
 use shadegate_gen::package::rtl;
 use shadegate_gen::scene::TEXTURED;
+use shadegate_hdl::light::Glint;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::span_core::SpanKind;
@@ -15,6 +16,8 @@ fn cores_of_triangles() {
         Order::Quadratic,
         Order::QuadraticDots,
         Order::Duff,
+        Order::Glint(Glint::Kappa),
+        Order::Glint(Glint::Spot),
     ]);
 }
 

@@ -9,6 +9,7 @@ use shadegate_gen::package::{registers, resources, Register};
 use shadegate_gen::scene::TEXTURED;
 use shadegate_gen::stimulus::{build, sample_triangles, StimulusOptions};
 use shadegate_gen::wrapper::Wrapper;
+use shadegate_hdl::light::Glint;
 use shadegate_hdl::line::Filter;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
@@ -136,6 +137,8 @@ fn the_register_map_is_what_a_host_writes() {
         (Order::Linear, 1024, 768),
         (Order::QuadraticDots, 320, 240),
         (Order::Duff, 320, 240),
+        (Order::Glint(Glint::Kappa), 320, 240),
+        (Order::Glint(Glint::Spot), 320, 240),
     ] {
         let core = Core::for_frame(order, width, height).expect("in range");
         let viewport = Viewport { width, height };

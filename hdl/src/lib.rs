@@ -10,9 +10,11 @@ macro_rules! comment {
     ($text:literal) => {};
 }
 
+pub mod bump;
 pub mod depth;
 pub mod format;
 pub mod interpolate;
+pub mod light;
 pub mod line;
 pub mod lit;
 pub mod raster;

@@ -4,6 +4,7 @@ mod support;
 
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
+use shadegate_hdl::light::Glint;
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::raster::Viewport;
 use support::{check_done, random_triangles, taken, Machine, Pixel, TEXTURED};
@@ -78,6 +79,12 @@ fn textured_cores_under_any_pattern() {
     for (order, seed) in TEXTURED.into_iter().zip(15..) {
         any_pattern(order, seed);
     }
+}
+
+#[test]
+fn cores_without_tables_under_any_pattern() {
+    any_pattern(Order::Glint(Glint::Kappa), 18);
+    any_pattern(Order::Glint(Glint::Spot), 19);
 }
 
 #[test]

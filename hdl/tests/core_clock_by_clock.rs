@@ -3,6 +3,7 @@
 
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
+use shadegate_hdl::light::Glint;
 use shadegate_hdl::shade::device::{Core, CoreSimulator};
 use shadegate_hdl::shade::model::{CoreInputs, CoreModel, Order};
 use shadegate_hdl::texture::{Mapping, Texturing};
@@ -54,7 +55,7 @@ fn run(core: Core, seed: u64, clocks: usize) {
         let select = if next & 1 == 0 {
             (next >> 1) % 12
         } else {
-            (r.random_range(1..16u8) << 4) | ((next >> 1) % 12)
+            (r.random_range(1..16u8) << 4) | ((next >> 1) % 16)
         };
         // Now and then the fence of the cores that have one.
         let select = if r.random_ratio(1, 60) { 12 } else { select };
@@ -137,7 +138,15 @@ fn wide_textured_cores() {
 }
 
 #[test]
+fn cores_without_tables() {
+    run(core(Order::Glint(Glint::Kappa), false), 41, CLOCKS / 2);
+    run(core(Order::Glint(Glint::Spot), false), 42, CLOCKS / 2);
+}
+
+#[test]
 fn wide_cores() {
+    run(core(Order::Glint(Glint::Kappa), true), 43, CLOCKS / 8);
+    run(core(Order::Glint(Glint::Spot), true), 44, CLOCKS / 8);
     run(core(Order::Quadratic, true), 23, CLOCKS / 4);
     run(core(Order::Linear, true), 24, CLOCKS / 4);
     run(core(Order::QuadraticDots, true), 26, CLOCKS / 4);

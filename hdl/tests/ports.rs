@@ -13,6 +13,11 @@ use shadegate_hdl::interpolate::linear_span::LinearSpan;
 use shadegate_hdl::interpolate::quadratic_1::Quadratic1;
 use shadegate_hdl::interpolate::quadratic_2::Quadratic2;
 use shadegate_hdl::interpolate::quadratic_span::QuadraticSpan;
+use shadegate_hdl::light::highlight::Highlight;
+use shadegate_hdl::light::kappa_colour::KappaColour;
+use shadegate_hdl::light::skip::Skip;
+use shadegate_hdl::light::spot::Spot;
+use shadegate_hdl::light::spot_colour::SpotColour;
 use shadegate_hdl::line::blend::Blend;
 use shadegate_hdl::line::box_filter::BoxCore;
 use shadegate_hdl::line::box_weight::BoxWeight;
@@ -42,7 +47,7 @@ use shadegate_hdl::raster::span_shell::SpanShell;
 use shadegate_hdl::shade::blake::BlakeCore;
 use shadegate_hdl::shade::chebyshev::ChebyshevCore;
 use shadegate_hdl::shade::device::{
-    DuffNarrow, GouraudNarrow, QuadraticDotsNarrow, QuadraticNarrow,
+    DuffNarrow, GouraudNarrow, KappaNarrow, QuadraticDotsNarrow, QuadraticNarrow, SpotNarrow,
 };
 use shadegate_hdl::shade::phong::colour::PhongColour;
 use shadegate_hdl::shade::phong::cosine::Cosine;
@@ -105,6 +110,13 @@ fn every_description_lists_its_ports() {
     check_ports(&Cosine::default()).unwrap();
     check_ports(&LobePlace::default()).unwrap();
     check_ports(&UnitCosines::default()).unwrap();
+    check_ports(&Highlight::default()).unwrap();
+    check_ports(&Spot::default()).unwrap();
+    check_ports(&Skip::default()).unwrap();
+    check_ports(&KappaColour::default()).unwrap();
+    check_ports(&SpotColour::default()).unwrap();
+    check_ports(&KappaNarrow::new(1200)).unwrap();
+    check_ports(&SpotNarrow::new(1200)).unwrap();
     check_ports(&DuffNarrow::new(1200)).unwrap();
     check_ports(&QuadraticDotsNarrow::new(1200)).unwrap();
 }

@@ -5,6 +5,7 @@ mod support;
 
 use rand::rngs::StdRng;
 use rand::SeedableRng;
+use shadegate_hdl::light::Glint;
 use shadegate_hdl::shade::model::{CoreOutputs, Order};
 use shadegate_reference::raster::Viewport;
 use support::{check_done, random_triangles, taken, Machine, Triangle, TEXTURED};
@@ -59,6 +60,8 @@ fn no_bubbles_in_or_between_triangles() {
     for (mapping, seed) in TEXTURED.into_iter().zip(7..) {
         no_bubbles(mapping, seed);
     }
+    no_bubbles(Order::Glint(Glint::Kappa), 10);
+    no_bubbles(Order::Glint(Glint::Spot), 11);
 }
 
 #[test]
@@ -134,6 +137,8 @@ fn the_first_pixel_comes_with_the_stated_latency() {
         TEXTURED[0],
         TEXTURED[1],
         TEXTURED[2],
+        Order::Glint(Glint::Kappa),
+        Order::Glint(Glint::Spot),
     ] {
         let mut m = Machine::new(order, SIZE.width, SIZE.height);
         let t = Triangle::flat([(0.0, 0.0), (9.0, 0.0), (0.0, 9.0)], 1);

@@ -41,9 +41,11 @@ pub fn subject(a: &SynthArgs, size: Option<(u32, u32)>) -> Result<Subject, Failu
             if let Drawing::Shaded(method) = drawing {
                 if let Some(order) = order_of(method) {
                     suited(&scene, order).map_err(Failure::input)?;
-                    let order = order_for(&scene, order).map_err(Failure::input)?;
-                    if let Order::Textured(_) = order {
-                        drawing = Drawing::Textured(order);
+                    let order = order_for(&scene, method)
+                        .map_err(Failure::input)?
+                        .unwrap_or(order);
+                    if matches!(order, Order::Glint(_) | Order::Textured(_)) {
+                        drawing = Drawing::Core(order);
                     }
                 }
             }

@@ -5,6 +5,7 @@ mod texture;
 
 use super::line;
 use serde::Serialize;
+use shadegate_hdl::light::{Glint, CONE_WORD};
 use shadegate_hdl::raster::{COLUMN_BITS, ERROR_BITS};
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
@@ -26,8 +27,8 @@ pub struct Field {
 pub struct Register {
     /// Select code that addresses this word alone: channel mask in bits 7 to 4, word number in bits 3 to 0.
     pub select: u8,
-    /// `shell` (the walk and the weights of a line core), `depth`, and `red`, `green`, `blue`, or `light`, `lobe`, `half`,
-    /// `square`, `material`, or `u`, `v`, `w`, `texture`.
+    /// `shell` (the walk and the weights of a line core), `depth`, and `red`, `green`, `blue`, or `light`, `lobe`, `cone`,
+    /// `half`, `square`, `skips`, `material`, or `u`, `v`, `w`, `texture`.
     pub target: &'static str,
     /// Word number.
     pub word: u8,
@@ -92,6 +93,10 @@ pub fn registers(core: &Core) -> Vec<Register> {
         }
         Order::Quadratic => &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, quadric)),
         Order::QuadraticDots => &[("light", 1), ("lobe", 2)].map(|c| (c, quadric)),
+        Order::Glint(Glint::Kappa) => &[("light", 1), ("lobe", 2)].map(|c| (c, quadric)),
+        Order::Glint(Glint::Spot) => {
+            &[("light", 1), ("lobe", 2), ("cone", 8)].map(|c| (c, quadric))
+        }
         Order::Duff => &[
             (("light", 1), plane),
             (("half", 1), plane),
@@ -110,8 +115,16 @@ pub fn registers(core: &Core) -> Vec<Register> {
         }
         all.push(material::scale());
     }
+    // The words of the cone follow those of the depth.
+    for r in all.iter_mut().filter(|r| r.target == "cone") {
+        r.word += CONE_WORD as u8;
+        r.select += CONE_WORD as u8;
+    }
     if matches!(core.order, Order::QuadraticDots | Order::Duff) {
         all.extend(material::registers());
+    }
+    if let Order::Glint(glint) = core.order {
+        all.extend(material::glints(glint));
     }
     channel(
         &mut all,

@@ -6,6 +6,7 @@
 use super::line;
 use serde::Serialize;
 use shadegate_constraints::Device;
+use shadegate_hdl::light::Glint;
 use shadegate_hdl::line::Filter;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
@@ -101,6 +102,7 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
         Order::QuadraticDots => QUADRATIC_DOTS.to_vec(),
         Order::Line(filter) => line::measured(filter).to_vec(),
         Order::Duff => DUFF.to_vec(),
+        Order::Glint(_) => vec![],
         Order::Span(SpanKind::Slerp) => SLERP.to_vec(),
         Order::Span(SpanKind::Blake) => BLAKE.to_vec(),
         Order::Span(_) => vec![],
@@ -120,6 +122,9 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
             // Three per channel for the mean, one for the product; two for the reciprocal, two after it.
             Order::Textured(t) if t.mapping == Mapping::Perspective => 16,
             Order::Textured(_) => 12,
+            // Six of the channels, two of the highlight; one of the spot and two of what it scales.
+            Order::Glint(Glint::Kappa) => 8,
+            Order::Glint(Glint::Spot) => 11,
             // Two per channel; a recurrence for either curve and the power in between.
             Order::Span(SpanKind::Slerp | SpanKind::Chebyshev) => 9,
             Order::Span(_) => 6,

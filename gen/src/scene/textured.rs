@@ -126,7 +126,7 @@ pub fn texturing(scene: &Scene) -> Result<Texturing, Unsuited> {
 ///
 /// # Errors
 /// Textures that no core draws.
-pub fn order_for(scene: &Scene, order: Order) -> Result<Order, Unsuited> {
+pub(super) fn order_for(scene: &Scene, order: Order) -> Result<Order, Unsuited> {
     let Some(m) = used(scene).find(|m| m.texture.is_some()) else {
         return Ok(order);
     };

@@ -17,7 +17,7 @@ pub struct Triangle {
     /// Depth at the corners, in depth words (0 to 65535, larger is nearer), not rounded.
     pub depth: [f64; 3],
     /// RGB knots in LSB: three for the Gouraud core, six (vertices, then mid-edges 01, 02, 12) for the quadratic core.
-    /// For the quadratic-dots core six of N·L, N·H and 0; for the Duff core six of N·L, N·H and |N|² of normals that are not
+    /// For the quadratic-dots cores six of N·L, N·H and the cosine from the axis of a spot; for the Duff core six of N·L, N·H and |N|² of normals that are not
     /// normalised; for span cores the rows of a [`crate::spans::Surface`].
     pub knots: Vec<[f64; 3]>,
     /// What cores take that shade per pixel, and others ignore.
@@ -66,6 +66,8 @@ pub struct Stimulus {
     pub skipped_unchanged: u64,
     /// Words not sent because another channel's write carried them.
     pub skipped_broadcast: u64,
+    /// Words not sent because the triangle has no highlight or no light.
+    pub skipped_dark: u64,
     /// Triangles not sent because they cover no pixel of the frame.
     pub skipped_uncovered: u64,
 }
@@ -99,6 +101,16 @@ impl Writer<'_> {
         let needed = !self.options.skip_unchanged || old != Some(data);
         self.out.skipped_unchanged += u64::from(!needed);
         needed
+    }
+
+    /// Whether words are left out at all.
+    pub(super) fn leaves_out(&self) -> bool {
+        self.options.skip_unchanged
+    }
+
+    /// Counts words of cosines that a triangle does without.
+    pub(super) fn dark(&mut self, words: u64) {
+        self.out.skipped_dark += words;
     }
 
     fn shell(&mut self, words: &[u64], writes: &mut Vec<(u8, u64)>) {
@@ -208,6 +220,7 @@ fn channel_words(
         }
         Order::QuadraticDots => w.dots(core, t, &frame, writes)?,
         Order::Duff => w.duff(core, t, &frame, writes)?,
+        Order::Glint(glint) => w.glint(core, glint, t, &frame, writes)?,
         Order::Line(_) => return Err("a line core draws no triangles".to_owned()),
         Order::Textured(texturing) => w.textured((core, texturing), t, &frame, pictures, writes)?,
         // Built span by span: see `build`.

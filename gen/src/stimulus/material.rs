@@ -1,6 +1,7 @@
 //! What cores that shade per pixel are sent: the words of a material, behind a fence, and those of two cosines.
 
 use super::build::{Triangle, Writer};
+use super::glint::{Cone, Lobe};
 use crate::setup::{fixed_knot, lobe_scale, power_words, quadric_words, Frame};
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
@@ -12,11 +13,11 @@ use shadegate_hdl::shade::phong::{
 };
 
 /// Mask of the material words.
-const MATERIAL: u8 = 0x40;
+pub(super) const MATERIAL: u8 = 0x40;
 /// Mask of the words of N·L.
-const LIGHT: u8 = 0x10;
+pub(super) const LIGHT: u8 = 0x10;
 /// Mask of the words of the place in the lobe.
-const LOBE: u8 = 0x20;
+pub(super) const LOBE: u8 = 0x20;
 /// Largest sum of a channel's three colours, LSB.
 const BRIGHTEST: f64 = 2047.0;
 
@@ -40,6 +41,10 @@ pub struct Material {
     pub specular: [f64; 3],
     /// The exponent n of the highlight.
     pub shininess: f64,
+    /// The function that makes the highlight.
+    pub lobe: Lobe,
+    /// The cone, where the light is a spot.
+    pub cone: Option<Cone>,
 }
 
 impl Material {
@@ -59,7 +64,7 @@ impl Material {
     }
 
     /// The nine colour words.
-    fn colours(&self) -> Result<[u64; 9], String> {
+    pub(super) fn colours(&self) -> Result<[u64; 9], String> {
         let mut words = [0; 9];
         for channel in 0..3 {
             let parts = [
@@ -86,7 +91,7 @@ impl Material {
 }
 
 /// Six knots of one of a triangle's quantities, each mapped.
-fn six(
+pub(super) fn six(
     t: &Triangle,
     name: &str,
     which: usize,

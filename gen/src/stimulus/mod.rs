@@ -2,6 +2,7 @@
 
 mod build;
 mod duff;
+mod glint;
 mod host;
 mod lines;
 mod material;
@@ -10,6 +11,7 @@ mod sample_lines;
 mod texture;
 
 pub use build::{build, Primitive, Stimulus, StimulusError, StimulusOptions, Triangle};
+pub use glint::{Cone, Lobe};
 pub use host::{Host, Step};
 pub use lines::{build_lines, Line};
 pub use material::{greatest_exponent, Material};

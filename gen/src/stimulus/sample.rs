@@ -1,8 +1,8 @@
 //! Triangles for a core that is generated without a scene: enough to exercise every register and every case of the walk.
 
 use super::{
-    build, sample_lines, Covering, Material, Picture, Stimulus, StimulusError, StimulusOptions,
-    Triangle,
+    build, sample_lines, Cone, Covering, Lobe, Material, Picture, Stimulus, StimulusError,
+    StimulusOptions, Triangle,
 };
 use crate::spans;
 use shadegate_hdl::shade::device::Core;
@@ -32,12 +32,28 @@ const MATERIALS: [Material; 2] = [
         diffuse: [160.0, 70.0, 50.0],
         specular: [110.0, 100.0, 105.0],
         shininess: 20.0,
+        lobe: Lobe::Kappa {
+            degree: 3,
+            gamma: 0.8125,
+        },
+        cone: Some(Cone {
+            hard: false,
+            width: 0.5,
+        }),
     },
     Material {
         ambient: [4.0, 6.0, 20.0],
         diffuse: [30.0, 60.0, 120.0],
         specular: [255.0, 240.0, 200.0],
         shininess: 90.5,
+        lobe: Lobe::Kappa {
+            degree: 4,
+            gamma: 0.95,
+        },
+        cone: Some(Cone {
+            hard: true,
+            width: 0.5,
+        }),
     },
 ];
 
@@ -113,7 +129,8 @@ pub fn sample_triangles(
     let (w, h) = (u64::from(viewport.width), u64::from(viewport.height));
     let sub = SUBPIXELS as u64;
     let material = |i: usize| {
-        matches!(order, Order::QuadraticDots | Order::Duff).then(|| MATERIALS[2 * i / count.max(1)])
+        let shades = matches!(order, Order::QuadraticDots | Order::Duff | Order::Glint(_));
+        shades.then(|| MATERIALS[2 * i / count.max(1)])
     };
     let knots = if order == Order::Linear { 3 } else { 6 };
     let pictures = pictures();
@@ -145,6 +162,7 @@ pub fn sample_triangles(
             match order {
                 // Cosines from -0.5 to 1.
                 Order::QuadraticDots => [at[0] / 170.0 - 0.5, at[1] / 170.0 - 0.5, 0.0],
+                Order::Glint(_) => at.map(|c| c / 170.0 - 0.5),
                 // Dot products from -0.5 to 1 with a normal of a length from 0.7 to 1 that does not change.
                 Order::Duff => [
                     at[0] / 170.0 - 0.5,

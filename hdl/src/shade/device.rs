@@ -7,6 +7,7 @@ use super::blake::BlakeCore;
 use super::chebyshev::ChebyshevCore;
 use super::duff::DuffCore;
 use super::gouraud::GouraudCore;
+use super::kappa::KappaCore;
 use super::model::{bus_bits, CoreInputs, CoreModel, CoreOutputs, Order};
 use super::phong::power::{PLACE_FRACTION_BITS, PLACE_INTEGER_BITS, STEEPEST};
 use super::phong::{inverse_root, unit_cosines};
@@ -15,12 +16,14 @@ use super::quadratic::QuadraticCore;
 use super::quadratic_dots::QuadraticDotsCore;
 use super::slerp::SlerpCore;
 use super::spherical::SphericalCore;
+use super::spot::SpotCore;
 use super::textured_affine::TexturedAffineCore;
 use super::textured_perspective::TexturedPerspectiveCore;
 use super::textured_quadratic::TexturedQuadraticCore;
 use super::COLOUR_INTEGER_BITS;
 use crate::depth::pages::pages;
 use crate::format::U;
+use crate::light::{self, Glint, STEEPEST_HIGHLIGHT, STEEPEST_SPOT};
 use crate::line::box_filter::BoxCore;
 use crate::line::bresenham::BresenhamCore;
 use crate::line::cone::ConeCore;
@@ -56,6 +59,15 @@ pub type TexturedQuadraticWide = TexturedQuadraticCore<36, 18, 44, 22, 21>;
 pub type TexturedPerspectiveNarrow = TexturedPerspectiveCore<32, 14, 48, 17>;
 /// Textured core with perspective, u/z in Q10.37, 1/z in Q1.46, Q11.24 colours, 48-bit bus, 2^21 frame addresses.
 pub type TexturedPerspectiveWide = TexturedPerspectiveCore<36, 18, 48, 21>;
+
+/// Quadratic-dots-kappa core with the formats of [`QuadraticDotsNarrow`].
+pub type KappaNarrow = KappaCore<15, 45, 17>;
+/// Quadratic-dots-kappa core with the formats of [`QuadraticDotsWide`].
+pub type KappaWide = KappaCore<19, 49, 21>;
+/// Quadratic-dots-spot core with the formats of [`QuadraticDotsNarrow`], the place in the cone as that in the lobe.
+pub type SpotNarrow = SpotCore<15, 45, 17>;
+/// Quadratic-dots-spot core with the formats of [`QuadraticDotsWide`], the place in the cone as that in the lobe.
+pub type SpotWide = SpotCore<19, 49, 21>;
 
 /// Longest run of the narrow formats.
 pub const NARROW_RUN: u32 = 1023;
@@ -114,6 +126,7 @@ impl Core {
             Order::Span(kind) => kind.name(),
             Order::Duff => "duff",
             Order::Textured(t) => t.name(),
+            Order::Glint(glint) => glint.name(),
         }
     }
 
@@ -144,6 +157,17 @@ impl Core {
                 }
                 all
             }
+            Order::Glint(glint) => {
+                let place = (PLACE_INTEGER_BITS, PLACE_FRACTION_BITS + n);
+                let mut all = vec![
+                    ("light", LIGHT_INTEGER_BITS, LIGHT_FRACTION_BITS + n),
+                    ("lobe", place.0, place.1),
+                ];
+                if glint == Glint::Spot {
+                    all.push(("cone", place.0, place.1));
+                }
+                all
+            }
             Order::Duff => vec![(
                 "dot",
                 unit_cosines::INTEGER_BITS,
@@ -160,8 +184,8 @@ impl Core {
             (Order::Quadratic | Order::Textured(_), true) => 24,
             (Order::Linear, false) => 12,
             (Order::Linear, true) => 14,
-            (Order::QuadraticDots | Order::Duff, false) => 15,
-            (Order::QuadraticDots | Order::Duff, true) => 19,
+            (Order::QuadraticDots | Order::Duff | Order::Glint(_), false) => 15,
+            (Order::QuadraticDots | Order::Duff | Order::Glint(_), true) => 19,
             (Order::Line(_), _) => crate::line::cue::FRACTION_BITS,
             (Order::Span(_), _) => crate::lit::channel::COLOUR_FRACTION_BITS,
         }
@@ -173,6 +197,7 @@ impl Core {
         6 + match self.order {
             Order::Linear | Order::Quadratic => 0,
             Order::QuadraticDots => STAGES as u32,
+            Order::Glint(_) => light::STAGES as u32,
             Order::Duff => (unit_cosines::STAGES + STAGES) as u32,
             Order::Textured(t) => (t.mapping.stages() + texture::STAGES) as u32,
             Order::Line(filter) => return filter.latency(),
@@ -218,9 +243,11 @@ impl Core {
         let n = f64::from(run);
         let words = match self.order {
             Order::Linear | Order::Line(_) | Order::Span(_) => 1.0 + n,
-            Order::Quadratic | Order::QuadraticDots | Order::Duff | Order::Textured(_) => {
-                1.0 + n * (n + 1.0) / 2.0
-            }
+            Order::Quadratic
+            | Order::QuadraticDots
+            | Order::Duff
+            | Order::Textured(_)
+            | Order::Glint(_) => 1.0 + n * (n + 1.0) / 2.0,
         };
         let unit = words / 2f64.powi(self.fraction_bits() as i32 + 1);
         match self.order {
@@ -232,6 +259,18 @@ impl Core {
                 let light = 2f64.powi(-(LIGHT_FRACTION_BITS as i32));
                 let lobe = STEEPEST * 2f64.powi(-(PLACE_FRACTION_BITS as i32));
                 255.0 * unit * (light + lobe) + ERROR_LSB
+            }
+            Order::Glint(glint) => {
+                let light = 2f64.powi(-(LIGHT_FRACTION_BITS as i32));
+                let place = 2f64.powi(-(PLACE_FRACTION_BITS as i32));
+                let (steep, rest) = match glint {
+                    Glint::Kappa => (STEEPEST_HIGHLIGHT, light::KAPPA_ERROR_LSB),
+                    Glint::Spot => (
+                        STEEPEST_HIGHLIGHT + 2.0 * STEEPEST_SPOT,
+                        light::SPOT_ERROR_LSB,
+                    ),
+                };
+                255.0 * unit * (light + steep * place) + rest
             }
             // |N|² of at least 1/4 and exponents up to 144, whose lobe has the scale 2³.
             Order::Duff => {
@@ -286,6 +325,10 @@ impl Core {
                     }
                 }
             }
+            (Order::Glint(Glint::Kappa), false) => f.visit(KappaNarrow::new(self.pixels)),
+            (Order::Glint(Glint::Kappa), true) => f.visit(KappaWide::new(self.pixels)),
+            (Order::Glint(Glint::Spot), false) => f.visit(SpotNarrow::new(self.pixels)),
+            (Order::Glint(Glint::Spot), true) => f.visit(SpotWide::new(self.pixels)),
             (Order::Line(filter), false) => filter.with_design::<17, R>(self.pixels, f),
             (Order::Line(filter), true) => filter.with_design::<21, R>(self.pixels, f),
             (Order::Span(kind), false) => kind.with_design::<17, R>(self.pixels, f),
@@ -347,6 +390,8 @@ core_ports!(DuffCore, N, B, A);
 core_ports!(TexturedAffineCore, D, N, B, K, A);
 core_ports!(TexturedQuadraticCore, D, N, B, K, A);
 core_ports!(TexturedPerspectiveCore, D, N, B, A);
+core_ports!(KappaCore, N, B, A);
+core_ports!(SpotCore, N, B, A);
 core_ports!(SlerpCore, A);
 core_ports!(ChebyshevCore, A);
 core_ports!(BlakeCore, A);

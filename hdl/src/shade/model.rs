@@ -13,6 +13,8 @@ use crate::depth::z_buffer::{ZBufferInputs, ZBufferModel};
 use crate::format::mask;
 use crate::interpolate::linear_2::{Controls, Linear2Model};
 use crate::interpolate::quadratic_2::Quadratic2Model;
+use crate::light::model::{cone_word, LightInputs, LightModel, SkipModel};
+use crate::light::{Glint, SKIP_WORD};
 use crate::line::model::LineModel;
 use crate::line::Filter;
 use crate::raster::shell::{ShellInputs, ShellModel};
@@ -30,6 +32,8 @@ pub enum Order {
     QuadraticDots,
     /// Planes of two dot products and the quadric of the squared length, a root per pixel: the Duff core.
     Duff,
+    /// Quadrics of two or three cosines, highlight and spot per pixel without tables.
+    Glint(Glint),
     /// Lines instead of triangles: the line cores.
     Line(Filter),
     /// Spans that the host sets up one by one.
@@ -107,12 +111,48 @@ struct Pixel {
     depth: u16,
 }
 
+/// The stages from cosines to a colour.
+#[derive(Clone, Debug)]
+enum Stages {
+    /// With a power table.
+    Table(PhongModel),
+    /// Without, and what a triangle does without.
+    Glint(LightModel, SkipModel),
+}
+
+impl Stages {
+    fn levels(&self) -> [i64; 3] {
+        match self {
+            Self::Table(m) => m.levels(),
+            Self::Glint(m, _) => m.levels(),
+        }
+    }
+
+    /// One clock with N·L, place in the lobe and place in the cone.
+    fn clock(&mut self, write: Option<(usize, u64)>, go: bool, [light, place, cone]: [i64; 3]) {
+        match self {
+            Self::Table(m) => m.clock(write, go, light, place),
+            Self::Glint(m, skips) => {
+                let (no_highlight, no_diffuse) = skips.outputs();
+                let i = LightInputs {
+                    light,
+                    place,
+                    cone,
+                    no_highlight,
+                    no_diffuse,
+                };
+                m.clock(write, go, &i);
+            }
+        }
+    }
+}
+
 /// What cores have that shade per pixel: stages between the interpolants and the pixel stream, and a fence.
 #[derive(Clone, Debug)]
 struct Reflection {
     /// What makes the cosines, where they are not interpolated.
     front: Option<DuffModel>,
-    colour: PhongModel,
+    colour: Stages,
     delay: DelayModel,
     draining: bool,
 }
@@ -126,11 +166,17 @@ impl Reflection {
             | Order::Span(_)
             | Order::Textured(_) => return None,
             Order::QuadraticDots => STAGES,
+            Order::Glint(_) => crate::light::STAGES,
             Order::Duff => unit_cosines::STAGES + STAGES,
         };
         Some(Self {
             front: (order == Order::Duff).then(DuffModel::default),
-            colour: PhongModel::default(),
+            colour: match order {
+                Order::Glint(glint) => {
+                    Stages::Glint(LightModel::new(glint == Glint::Spot), SkipModel::default())
+                }
+                _ => Stages::Table(PhongModel::default()),
+            },
             delay: DelayModel::new(stages),
             draining: false,
         })
@@ -170,6 +216,13 @@ fn interpolant_bits(order: Order, fraction_bits: usize) -> [usize; 3] {
             // Its words belong to the material.
             1,
         ],
+        Order::Glint(glint) => {
+            let place = 1 + PLACE_INTEGER_BITS + PLACE_FRACTION_BITS + fraction_bits;
+            let light = 1 + LIGHT_INTEGER_BITS + LIGHT_FRACTION_BITS + fraction_bits;
+            // The third is that of the spot; without one nothing reads it.
+            let cone = if glint == Glint::Spot { place } else { 1 };
+            [light, place, cone]
+        }
         Order::Duff => {
             let units = 1 + unit_cosines::INTEGER_BITS + unit_cosines::FRACTION_BITS;
             [units + fraction_bits; 3]
@@ -184,6 +237,7 @@ pub struct CoreModel {
     line: Option<Box<LineModel>>,
     /// The whole of a span core; the fields below then stand still.
     span: Option<Box<SpanModel>>,
+    order: Order,
     fraction_bits: usize,
     bus_bits: usize,
     shell: ShellModel,
@@ -216,13 +270,16 @@ impl CoreModel {
         let linear = Channel::Linear(Linear2Model::default());
         let channel = match order {
             Order::Linear | Order::Line(_) | Order::Span(_) => linear,
-            Order::Quadratic | Order::QuadraticDots | Order::Duff | Order::Textured(_) => {
-                Channel::Quadratic(Quadratic2Model::default())
-            }
+            Order::Quadratic
+            | Order::QuadraticDots
+            | Order::Duff
+            | Order::Textured(_)
+            | Order::Glint(_) => Channel::Quadratic(Quadratic2Model::default()),
         };
         Self {
             line,
             span,
+            order,
             fraction_bits,
             bus_bits: bus_bits(order, fraction_bits),
             shell: ShellModel::new(address_bits),
@@ -374,13 +431,17 @@ impl CoreModel {
                 let late = (r.delay.last().unwrap_or(walked), r.colour.levels());
                 let material = write(2);
                 match &mut r.front {
-                    None => r.colour.clock(material, go, values[0], values[1]),
+                    None => r.colour.clock(material, go, values),
                     Some(front) => {
                         let [light, place] = front.arguments;
-                        r.colour.clock(material, go, light, place);
+                        r.colour.clock(material, go, [light, place, 0]);
                         let scale = material.filter(|(word, _)| *word == SCALE_WORD);
                         front.clock(scale.map(|(_, data)| data), go, values);
                     }
+                }
+                if let Stages::Glint(_, skips) = &mut r.colour {
+                    let own = write(3).filter(|(word, _)| *word == SKIP_WORD);
+                    skips.clock(own.map(|(_, data)| data), so.controls);
                 }
                 if go {
                     r.delay.shift(walked);
@@ -415,8 +476,13 @@ impl CoreModel {
         });
         // Interpolants.
         let two_planes = self.reflection.as_ref().is_some_and(|r| r.front.is_some());
+        let glint = self.order == Order::Glint(Glint::Spot);
         for (channel, (model, width)) in self.colour.iter_mut().zip(self.widths).enumerate() {
             let own = match (two_planes, channel) {
+                // The words of the cone follow those of the depth.
+                (false, 2) if glint => {
+                    write(3).and_then(|(word, data)| Some((cone_word(word)?, data)))
+                }
                 (false, _) => write(channel),
                 // Words 0 to 3 of the first mask bit, then words 4 to 7.
                 (true, 0 | 1) => write(0)

@@ -10,6 +10,7 @@ pub use picture::TEXTURED;
 
 use rand::rngs::StdRng;
 use rand::Rng;
+use shadegate_hdl::light::Glint;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::phong::root_model::arguments;
@@ -119,10 +120,14 @@ impl Triangle {
                 (Order::Duff, 0) => (0x10, 4),
                 (Order::Duff, 1) => (0x14, 4),
                 (Order::Duff, 2) => (0x20, 10),
-                (Order::Quadratic | Order::QuadraticDots, 0..=2) => (16 << channel, 10),
+                (Order::Glint(Glint::Kappa), 2) => (0, 0),
+                (Order::Glint(Glint::Spot), 2) => (0x84, 10),
+                (Order::Quadratic | Order::QuadraticDots | Order::Glint(_), 0..=2) => {
+                    (16 << channel, 10)
+                }
                 _ => (16 << channel, 4),
             };
-            writes.extend((0..count).map(|i| (select | i, words[usize::from(i)] as u64)));
+            writes.extend((0..count).map(|i| (select + i, words[usize::from(i)] as u64)));
         }
         writes
     }
@@ -171,6 +176,7 @@ impl Triangle {
                     let address = address.map(|c| c.at(column, row));
                     picture::level(colour, address, t.mapping, fraction)
                 }
+                Order::Glint(g) => [0, 1, 2].map(|c| material::glint(c, g, values)),
                 Order::Duff => {
                     let [light, place] = arguments(values, 0);
                     [0, 1, 2].map(|c| material::level(c, light, place))
@@ -201,7 +207,7 @@ pub fn random_triangles(
     let unit = 1i64 << kind.fraction_bits();
     let bend = |unit: i64| match kind.order {
         Order::Linear | Order::Line(_) | Order::Span(_) => 0,
-        Order::Quadratic | Order::QuadraticDots | Order::Textured(_) => unit / 32,
+        Order::Quadratic | Order::QuadraticDots | Order::Textured(_) | Order::Glint(_) => unit / 32,
         Order::Duff => 0,
     };
     // What a step of 8-bit colour is to an interpolant.
@@ -210,6 +216,7 @@ pub fn random_triangles(
             [unit; 3]
         }
         Order::QuadraticDots => [unit << (16 - 8), unit << (19 - 8), 0],
+        Order::Glint(_) => [unit << (16 - 8), unit << (19 - 8), unit << (19 - 8)],
         Order::Duff => [unit << (28 - 8); 3],
     };
     let mut out: Vec<Triangle> = vec![];

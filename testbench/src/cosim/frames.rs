@@ -2,7 +2,8 @@
 
 use super::span_oracle::SpanOracle;
 use super::{lines, texture_oracle, Prelude};
-use shadegate_gen::stimulus::Triangle;
+use shadegate_gen::stimulus::{Lobe, Triangle};
+use shadegate_gen::vectors::Pixel;
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::{shade, to_byte, Prepared};
 
@@ -64,18 +65,42 @@ pub struct FragmentError {
     pub border_pixels: u64,
 }
 
-/// The reflection model in f64: one light, from N·L and N·H.
-fn reflected(t: &Triangle, [light, half, _]: [f64; 3]) -> [f64; 3] {
+/// The reflection model in f64: one light, from N·L, N·H and the cosine from the axis of a spot.
+fn reflected(t: &Triangle, [light, half, axis]: [f64; 3]) -> [f64; 3] {
     let Some(m) = &t.material else {
         return [0.0; 3];
     };
-    let power = match half {
-        h if h > 0.0 => h.min(1.0).powf(m.shininess),
+    let (half, axis) = (half.min(1.0), axis.min(1.0));
+    let power = match m.lobe {
+        Lobe::Power if half > 0.0 => half.powf(m.shininess),
+        Lobe::Kappa { degree, gamma } if half > gamma => {
+            ((half - gamma) / (1.0 - gamma)).powi(i32::from(degree))
+        }
         _ => 0.0,
     };
+    let spot = match m.cone {
+        None => 1.0,
+        Some(c) if axis <= 1.0 - c.width => 0.0,
+        Some(c) if c.hard => 1.0 - ((axis - 1.0) / c.width).powi(2),
+        Some(c) => ((axis - (1.0 - c.width)) / c.width).powi(2),
+    };
     std::array::from_fn(|c| {
-        m.ambient[c] + m.diffuse[c] * light.clamp(0.0, 1.0) + m.specular[c] * power
+        let lit = m.diffuse[c] * light.clamp(0.0, 1.0) + m.specular[c] * power;
+        m.ambient[c] + spot * lit
     })
+}
+
+/// The frame of a core that has no software method of its own: each pixel that is seen, in f64 at its triangle.
+pub fn method_frame(p: &Prelude) -> Vec<[u8; 3]> {
+    let one = |pixel: &Pixel| {
+        let t = &p.triangles[pixel.triangle];
+        let (x, y) = (i32::from(pixel.x), i32::from(pixel.y));
+        let knots: [[f64; 3]; 6] = std::array::from_fn(|i| t.knots[i]);
+        let value = reflected(t, shade::quadratic::value(&t.position, &knots, x, y));
+        (pixel.x, pixel.y, value.map(to_byte))
+    };
+    let pixels: Vec<_> = p.trace.pixels.iter().map(one).collect();
+    frame(&p.prepared, &pixels)
 }
 
 /// Compares every pixel handed over (also those that nearer ones replace later) with the f64 oracle.
@@ -104,7 +129,7 @@ pub fn fragment_error(p: &Prelude) -> FragmentError {
                 let root = square.sqrt();
                 reflected(t, [light / root, half / root, 0.0])
             }
-            Order::QuadraticDots => {
+            Order::QuadraticDots | Order::Glint(_) => {
                 let knots: [[f64; 3]; 6] = std::array::from_fn(|i| t.knots[i]);
                 let cosines = shade::quadratic::value(&t.position, &knots, x, y);
                 reflected(t, cosines)

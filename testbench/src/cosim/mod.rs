@@ -127,7 +127,7 @@ pub fn core_for(method: Method, width: u32, height: u32) -> Result<Core, CosimEr
     Core::for_frame(order, width, height).ok_or(CosimError::TooLarge { width, height })
 }
 
-/// The core for a method, a frame and the textures of a scene.
+/// The core of a method for what a scene has, and a frame.
 ///
 /// # Errors
 /// Methods without a core, textures that no core draws, frames beyond the coordinate range.
@@ -137,8 +137,7 @@ pub fn scene_core_for(
     width: u32,
     height: u32,
 ) -> Result<Core, CosimError> {
-    let order = order_of(method).ok_or(CosimError::NoCore(method))?;
-    let order = order_for(scene, order)?;
+    let order = order_for(scene, method)?.ok_or(CosimError::NoCore(method))?;
     Core::for_frame(order, width, height).ok_or(CosimError::TooLarge { width, height })
 }
 
@@ -271,13 +270,19 @@ pub fn cosim(scene: &Scene, o: &CosimOptions) -> Result<CosimReport, CosimError>
     )?;
     let begin = Instant::now();
     let expected: Vec<_> = p.trace.pixels.iter().map(|x| (x.x, x.y, x.rgb)).collect();
-    let (method_frame, _) = render(&p.prepared, o.method, &method_options(&p.trace.core));
+    let method_frame = match p.trace.core.order {
+        Order::Glint(_) => frames::method_frame(&p),
+        _ => {
+            let (frame, _) = render(&p.prepared, o.method, &method_options(&p.trace.core));
+            frame.pixels
+        }
+    };
     let (exact_frame, _) = render(&p.prepared, Method::Exact, &RenderOptions::default());
     let frames = Frames::new(
         &p.prepared,
         &expected,
         &result.pixels,
-        &method_frame.pixels,
+        &method_frame,
         &exact_frame.pixels,
     );
     let view = |pixels| Rgb8Ref::new(p.prepared.width, p.prepared.height, pixels);

@@ -86,14 +86,18 @@ impl HostReport {
         // A span core has a primitive for every span.
         let mut sent: Vec<usize> = s.primitives.iter().map(|p| p.triangle).collect();
         sent.dedup();
+        let mut skipped = BTreeMap::from([
+            ("unchanged-words", s.skipped_unchanged),
+            ("broadcast-words", s.skipped_broadcast),
+            (uncovered, s.skipped_uncovered),
+        ]);
+        if let Order::Glint(_) = t.core.order {
+            skipped.insert("dark-words", s.skipped_dark);
+        }
         Self {
             triangles: sent.len() as u64,
             writes: t.writes,
-            skipped: BTreeMap::from([
-                ("unchanged-words", s.skipped_unchanged),
-                ("broadcast-words", s.skipped_broadcast),
-                (uncovered, s.skipped_uncovered),
-            ]),
+            skipped,
         }
     }
 }

@@ -6,6 +6,7 @@ use super::build::nextpnr_options;
 use super::line;
 use super::{Manifest, Target};
 use shadegate_constraints::Format;
+use shadegate_hdl::light::Glint;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::texture::Mapping;
@@ -34,6 +35,12 @@ pub fn readme(m: &Manifest, core: &Core, target: Option<Target>, example: &str) 
                 "a quadric through six colours times a texture in true perspective"
             }
         },
+        Order::Glint(Glint::Kappa) => {
+            "quadrics of N·L and N·H through six knots, and the light that the material reflects per pixel, its highlight κ(N·H − γ)^d"
+        }
+        Order::Glint(Glint::Spot) => {
+            "quadrics of N·L, N·H and the cosine from the axis of a spot through six knots, and the light that the material reflects per pixel, its highlight κ(N·H − γ)^d"
+        }
         Order::Line(_) => "lines",
         Order::Span(kind) => super::span_registers::about(kind),
     };

@@ -1,6 +1,7 @@
 //! The words of a material, and the fence before them.
 
 use super::{Field, Register};
+use shadegate_hdl::light::{Glint, CURVE_WORD, SKIP_WORD};
 use shadegate_hdl::shade::phong::unit_cosines::SCALE_WORD;
 use shadegate_hdl::shade::phong::{
     AMBIENT_FRACTION_BITS, FENCE_WORD, TABLE_PLACE_WORD, TABLE_WORD, TINT_FRACTION_BITS,
@@ -31,8 +32,8 @@ pub fn fence() -> Register {
     )
 }
 
-/// Fence and material.
-pub fn registers() -> Vec<Register> {
+/// Fence and colours.
+fn colours() -> Vec<Register> {
     let mut all = vec![fence()];
     for (word, (name, meaning)) in (0u8..).zip(COLOURS) {
         let frac = match word % 3 {
@@ -51,6 +52,43 @@ pub fn registers() -> Vec<Register> {
             fields: vec![],
         });
     }
+    all
+}
+
+/// Fence and material of a core without tables, and what a triangle does without.
+pub fn glints(glint: Glint) -> Vec<Register> {
+    let mut all = colours();
+    let mut parts = vec![field(2, 0, "degree of the highlight: 2, 3 or 4")];
+    if glint == Glint::Spot {
+        parts.insert(0, field(3, 3, "the fall-off of the spot is the hard one"));
+    }
+    all.push(fields(
+        "material",
+        CURVE_WORD,
+        "curves",
+        "what makes highlight and spot",
+        parts,
+    ));
+    all.push(Register {
+        select: 0x80 | SKIP_WORD as u8,
+        per: "triangle",
+        ..fields(
+            "skips",
+            SKIP_WORD,
+            "skips",
+            "what the triangle does without; the words of those cosines need not be written",
+            vec![
+                field(1, 1, "no diffuse reflection"),
+                field(0, 0, "no highlight; with both, no light at all"),
+            ],
+        )
+    });
+    all
+}
+
+/// Fence and material.
+pub fn registers() -> Vec<Register> {
+    let mut all = colours();
     all.push(fields(
         "material",
         TABLE_PLACE_WORD,

@@ -12,7 +12,7 @@ pub use wavedrom::wavedrom;
 
 use crate::spans::sample;
 use crate::stimulus::{
-    build, single_line, Material, Stimulus, StimulusError, StimulusOptions, Triangle,
+    build, single_line, Cone, Lobe, Material, Stimulus, StimulusError, StimulusOptions, Triangle,
 };
 use crate::vectors::Trace;
 use shadegate_hdl::shade::device::Core;
@@ -80,16 +80,19 @@ fn triangle(order: Order) -> Triangle {
 /// What cores that shade per pixel draw it with: matt, so that no table is sent.
 pub(super) fn material(order: Order) -> Option<Material> {
     match order {
-        Order::Linear
-        | Order::Quadratic
-        | Order::Line(_)
-        | Order::Span(_)
-        | Order::Textured(_) => None,
-        Order::QuadraticDots | Order::Duff => Some(Material {
+        Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) | Order::Textured(_) => {
+            None
+        }
+        Order::QuadraticDots | Order::Duff | Order::Glint(_) => Some(Material {
             ambient: [20.0, 10.0, 5.0],
             diffuse: [200.0, 120.0, 60.0],
             specular: [0.0; 3],
             shininess: 1.0,
+            lobe: Lobe::Power,
+            cone: Some(Cone {
+                hard: false,
+                width: 0.5,
+            }),
         }),
     }
 }
@@ -97,12 +100,11 @@ pub(super) fn material(order: Order) -> Option<Material> {
 /// Knots of such cores from colours: N·L from dark to light.
 pub(super) fn cosines(order: Order, knots: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
     match order {
-        Order::Linear
-        | Order::Quadratic
-        | Order::Line(_)
-        | Order::Span(_)
-        | Order::Textured(_) => knots,
-        Order::QuadraticDots | Order::Duff => {
+        Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) | Order::Textured(_) => {
+            knots
+        }
+        // In the middle of the cone.
+        Order::QuadraticDots | Order::Duff | Order::Glint(_) => {
             knots.iter().map(|k| [k[0] / 255.0, 0.0, 1.0]).collect()
         }
     }

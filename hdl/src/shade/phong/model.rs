@@ -42,8 +42,18 @@ pub struct Tint {
 }
 
 impl Tint {
+    /// Takes a word: 0 ambient, 1 diffuse, 2 specular.
+    pub(crate) fn write(&mut self, word: usize, data: u64) {
+        let low = |bits: usize| wrap((data & mask(bits)) as i64, bits);
+        match word {
+            0 => self.ambient = low(24),
+            1 => self.diffuse = low(18),
+            _ => self.specular = low(18),
+        }
+    }
+
     /// Colour without the highlight, and the highlight, Q11.12.
-    fn products(&self, light: i64, power: i64) -> (i64, i64) {
+    pub(crate) fn products(&self, light: i64, power: i64) -> (i64, i64) {
         let reflected = wrap((self.diffuse * light) >> 10, 24);
         let gloss = wrap((self.specular * power) >> 11, 24);
         (wrap(self.ambient + reflected, 24), gloss)
@@ -129,15 +139,7 @@ impl PhongModel {
 
     fn write(&mut self, word: usize, data: u64) {
         match word {
-            0..=8 => {
-                let tint = &mut self.tint[word / 3];
-                let low = |bits: usize| wrap((data & mask(bits)) as i64, bits);
-                match word % 3 {
-                    0 => tint.ambient = low(24),
-                    1 => tint.diffuse = low(18),
-                    _ => tint.specular = low(18),
-                }
-            }
+            0..=8 => self.tint[word / 3].write(word % 3, data),
             TABLE_PLACE_WORD => self.interval = data & mask(9),
             TABLE_WORD => {
                 self.table[self.interval as usize] = data as u32;
