@@ -134,6 +134,7 @@ fn triangle(r: &mut StdRng, size: (u32, u32), i: usize) -> Triangle {
         depth: [(100 * i + 1) as f64; 3],
         knots: knots(r, i % 4, &m),
         material: Some(m),
+        covering: None,
         label: format!("case {i}"),
     }
 }
