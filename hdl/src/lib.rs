@@ -16,6 +16,7 @@ pub mod interpolate;
 pub mod line;
 pub mod lit;
 pub mod raster;
+pub mod set_up;
 pub mod shade;
 pub mod simulate;
 pub mod sources;
