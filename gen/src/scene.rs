@@ -1,8 +1,10 @@
 //! A prepared scene as the triangles of a core: knots of its method, depths in words.
 
 mod reflected;
+mod set_up;
 
 pub use reflected::{suited, Unsuited};
+pub use set_up::{SetUp, ENGINES};
 
 use crate::spans;
 use crate::stimulus::{Line, Material, Triangle};
@@ -152,7 +154,7 @@ pub fn order_of(method: Method) -> Option<Order> {
 pub fn method_of(order: Order) -> Method {
     match order {
         Order::Linear => Method::Gouraud,
-        Order::Quadratic => Method::Quadratic,
+        Order::Quadratic | Order::QuadraticEngine => Method::Quadratic,
         Order::QuadraticDots => Method::QuadraticDots,
         // Wires are the same whatever shades the faces.
         Order::Line(_) => Method::Exact,
@@ -174,7 +176,7 @@ fn knots(p: &Prepared, index: usize, method: Method) -> (Vec<[f64; 3]>, Option<M
     let t = &p.triangles[index];
     match order_of(method).unwrap_or(Order::Linear) {
         Order::Linear => (shade::gouraud::knots(p, t).to_vec(), None),
-        Order::Quadratic => (shade::quadratic::knots(p, t).to_vec(), None),
+        Order::Quadratic | Order::QuadraticEngine => (shade::quadratic::knots(p, t).to_vec(), None),
         Order::QuadraticDots | Order::Duff => {
             let (knots, material) = reflected::knots(p, index, method);
             (knots, Some(material))

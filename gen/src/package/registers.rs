@@ -79,6 +79,7 @@ pub fn registers(core: &Core) -> Vec<Register> {
     match core.order {
         Order::Line(filter) => return line::registers(filter, core.address_bits()),
         Order::Span(kind) => return super::span_registers::registers(core, kind),
+        Order::QuadraticEngine => return super::engine_registers::registers(),
         _ => {}
     }
     let mut all = shell(core);
@@ -88,7 +89,7 @@ pub fn registers(core: &Core) -> Vec<Register> {
         Order::Linear | Order::Line(_) | Order::Span(_) => {
             &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, plane))[..]
         }
-        Order::Quadratic => &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, quadric)),
+        Order::Quadratic | Order::QuadraticEngine => &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, quadric)),
         Order::QuadraticDots => &[("light", 1), ("lobe", 2)].map(|c| (c, quadric)),
         Order::Duff => &[
             (("light", 1), plane),

@@ -33,7 +33,11 @@ pub struct Unsuited {
 /// The first thing that it cannot draw.
 pub fn suited(scene: &Scene, order: Order) -> Result<(), Unsuited> {
     let core = match order {
-        Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => return Ok(()),
+        Order::Linear
+        | Order::Quadratic
+        | Order::QuadraticEngine
+        | Order::Line(_)
+        | Order::Span(_) => return Ok(()),
         Order::QuadraticDots => "quadratic-dots",
         Order::Duff => "duff",
     };

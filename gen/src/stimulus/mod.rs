@@ -5,6 +5,7 @@ mod duff;
 mod host;
 mod lines;
 mod material;
+mod raw;
 mod sample;
 mod sample_lines;
 

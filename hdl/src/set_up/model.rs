@@ -38,7 +38,7 @@ pub struct EngineOutputs {
 /// State of the engine.
 #[derive(Clone, Debug)]
 pub struct EngineModel {
-    program: Vec<Instruction>,
+    program: &'static [Instruction],
     fraction_bits: u32,
     bus_bits: usize,
     /// Both banks of raw words.
@@ -56,6 +56,8 @@ pub struct EngineModel {
     frame: [u64; 2],
     multiplier: MultiplierModel,
     divider: DividerModel,
+    /// Triangles begun since power-up.
+    pub begun: u64,
     /// Triangles skipped since power-up, modulo 2^16.
     pub skipped: u16,
 }
@@ -81,6 +83,7 @@ impl EngineModel {
             frame: [0; 2],
             multiplier: MultiplierModel::default(),
             divider: DividerModel::default(),
+            begun: 0,
             skipped: 0,
         }
     }
@@ -221,6 +224,7 @@ impl EngineModel {
         }
         if begins {
             self.running = true;
+            self.begun += 1;
             self.place = 0;
             self.bank = 1 - self.bank;
             self.pending = false;

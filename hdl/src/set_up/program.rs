@@ -6,6 +6,7 @@
 use super::channels::{colour, depth, Lattice};
 use super::instruction::{Constant, Division, Exponent, Function, Instruction, Layout, YFrom};
 use super::schedule::{Builder, Value, X};
+use std::sync::OnceLock;
 
 /// Raw slot of x of vertex 0.
 pub const SLOT_X: u8 = 0;
@@ -363,7 +364,12 @@ impl Writer {
 
 /// The whole program, one instruction per clock.
 #[must_use]
-pub fn program() -> Vec<Instruction> {
+pub fn program() -> &'static [Instruction] {
+    static PROGRAM: OnceLock<Vec<Instruction>> = OnceLock::new();
+    PROGRAM.get_or_init(write)
+}
+
+fn write() -> Vec<Instruction> {
     let mut w = Writer::default();
     let zero = Y::Is(Constant::Zero);
     w.sort();
