@@ -1,9 +1,11 @@
 //! A prepared scene as the triangles of a core: knots of its method, depths in words.
 
 mod reflected;
+mod set_up;
 mod textured;
 
 pub use reflected::{suited, Unsuited};
+pub use set_up::{SetUp, ENGINES};
 pub use textured::{is_textured, texturing};
 
 use crate::spans;
@@ -195,7 +197,7 @@ pub fn order_for(scene: &Scene, method: Method) -> Result<Option<Order>, Unsuite
 pub fn method_of(order: Order) -> Method {
     match order {
         Order::Linear => Method::Gouraud,
-        Order::Quadratic => Method::Quadratic,
+        Order::Quadratic | Order::QuadraticEngine => Method::Quadratic,
         Order::QuadraticDots | Order::Glint(_) => Method::QuadraticDots,
         // Wires are the same whatever shades the faces.
         Order::Line(_) => Method::Exact,
@@ -218,7 +220,9 @@ fn knots(p: &Prepared, index: usize, method: Method) -> (Vec<[f64; 3]>, Option<M
     let t = &p.triangles[index];
     match order_of(method).unwrap_or(Order::Linear) {
         Order::Linear => (shade::gouraud::knots(p, t).to_vec(), None),
-        Order::Quadratic | Order::Textured(_) => (shade::quadratic::knots(p, t).to_vec(), None),
+        Order::Quadratic | Order::QuadraticEngine | Order::Textured(_) => {
+            (shade::quadratic::knots(p, t).to_vec(), None)
+        }
         Order::QuadraticDots | Order::Duff | Order::Glint(_) => {
             let (knots, material) = reflected::knots(p, index, method);
             (knots, Some(material))

@@ -18,6 +18,7 @@ pub mod light;
 pub mod line;
 pub mod lit;
 pub mod raster;
+pub mod set_up;
 pub mod shade;
 pub mod simulate;
 pub mod sources;

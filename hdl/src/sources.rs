@@ -97,6 +97,14 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("quadratic_2", include_str!("interpolate/quadratic_2.rs")),
     ("quadratic_core", include_str!("shade/quadratic.rs")),
     (
+        "quadratic_engine_core",
+        include_str!("shade/quadratic_engine.rs"),
+    ),
+    ("set_up_divider", include_str!("set_up/divider.rs")),
+    ("set_up_engine", include_str!("set_up/engine.rs")),
+    ("set_up_multiplier", include_str!("set_up/multiplier.rs")),
+    ("set_up_program", include_str!("set_up/program_rom.rs")),
+    (
         "quadratic_span",
         include_str!("interpolate/quadratic_span.rs"),
     ),

@@ -15,6 +15,7 @@
 //! ```
 
 mod build;
+mod engine_registers;
 mod example;
 mod fusesoc;
 mod line;

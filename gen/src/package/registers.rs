@@ -82,6 +82,7 @@ pub fn registers(core: &Core) -> Vec<Register> {
         Order::Line(filter) => return line::registers(filter, core.address_bits()),
         Order::Textured(t) => return texture::registers(core, t),
         Order::Span(kind) => return super::span_registers::registers(core, kind),
+        Order::QuadraticEngine => return super::engine_registers::registers(),
         _ => {}
     }
     let mut all = shell(core);
@@ -91,7 +92,9 @@ pub fn registers(core: &Core) -> Vec<Register> {
         Order::Linear | Order::Line(_) | Order::Span(_) | Order::Textured(_) => {
             &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, plane))[..]
         }
-        Order::Quadratic => &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, quadric)),
+        Order::Quadratic | Order::QuadraticEngine => {
+            &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, quadric))
+        }
         Order::QuadraticDots => &[("light", 1), ("lobe", 2)].map(|c| (c, quadric)),
         Order::Glint(Glint::Kappa) => &[("light", 1), ("lobe", 2)].map(|c| (c, quadric)),
         Order::Glint(Glint::Spot) => {

@@ -100,6 +100,7 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
         Order::Linear => GOURAUD.to_vec(),
         Order::Quadratic => QUADRATIC.to_vec(),
         Order::QuadraticDots => QUADRATIC_DOTS.to_vec(),
+        Order::QuadraticEngine => vec![],
         Order::Line(filter) => line::measured(filter).to_vec(),
         Order::Duff => DUFF.to_vec(),
         Order::Glint(_) => vec![],
@@ -116,6 +117,7 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
         multipliers: match core.order {
             Order::Linear | Order::Quadratic => 0,
             Order::QuadraticDots => 7,
+            Order::QuadraticEngine => 1,
             Order::Line(Filter::Bresenham) => 0,
             Order::Line(Filter::Box | Filter::Cone) => 3,
             Order::Duff => 12,

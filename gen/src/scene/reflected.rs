@@ -41,9 +41,12 @@ pub struct Unsuited {
 /// The first thing that it cannot draw.
 pub fn suited(scene: &Scene, order: Order) -> Result<(), Unsuited> {
     let core = match order {
-        Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) | Order::Textured(_) => {
-            return Ok(())
-        }
+        Order::Linear
+        | Order::Quadratic
+        | Order::QuadraticEngine
+        | Order::Line(_)
+        | Order::Span(_)
+        | Order::Textured(_) => return Ok(()),
         Order::QuadraticDots => "quadratic-dots",
         Order::Duff => "duff",
         Order::Glint(glint) => glint.name(),

@@ -1,6 +1,7 @@
 //! Register writes per triangle, and what need not be written.
 
 use super::material::Material;
+use super::raw::{raw_words, FRAME_ROWS};
 use super::texture::{Covering, Pictures};
 use crate::setup::{fixed_knot, plane_words, quadric_words, shell_words, Frame};
 use shadegate_hdl::raster::shell::FRAME_WIDTH;
@@ -221,6 +222,8 @@ fn channel_words(
         Order::QuadraticDots => w.dots(core, t, &frame, writes)?,
         Order::Duff => w.duff(core, t, &frame, writes)?,
         Order::Glint(glint) => w.glint(core, glint, t, &frame, writes)?,
+        // Corners and knots instead of words: see `build`.
+        Order::QuadraticEngine => {}
         Order::Line(_) => return Err("a line core draws no triangles".to_owned()),
         Order::Textured(texturing) => w.textured((core, texturing), t, &frame, pictures, writes)?,
         // Built span by span: see `build`.
@@ -268,6 +271,11 @@ pub fn build(
         let texels = pictures.writes(texturing).map_err(error)?;
         w.out.frame.extend(texels);
     }
+    let engine = core.order == Order::QuadraticEngine;
+    if engine {
+        let rows = u64::from(viewport.height);
+        w.out.frame.push((FRAME_ROWS, rows));
+    }
     for (index, t) in triangles.iter().enumerate() {
         let Some(walk) = Walk::new(t.position, viewport)
             .filter(|walk| walk.spans(viewport.width).next().is_some())
@@ -282,6 +290,13 @@ pub fn build(
             label: t.label.clone(),
             what,
         };
+        if engine {
+            w.out.primitives.push(Primitive {
+                triangle: index,
+                writes: raw_words(t, &walk, viewport).map_err(error)?,
+            });
+            continue;
+        }
         let shell = shell_words(t.position, &walk, viewport.width).map_err(error)?;
         w.shell(&shell, &mut writes);
         channel_words(core, t, &walk, &pictures, &mut w, &mut writes).map_err(error)?;

@@ -6,6 +6,7 @@ mod glint;
 mod host;
 mod lines;
 mod material;
+mod raw;
 mod sample;
 mod sample_lines;
 mod texture;

@@ -14,6 +14,7 @@ use super::phong::{inverse_root, unit_cosines};
 use super::phong::{ERROR_LSB, LIGHT_FRACTION_BITS, LIGHT_INTEGER_BITS, STAGES};
 use super::quadratic::QuadraticCore;
 use super::quadratic_dots::QuadraticDotsCore;
+use super::quadratic_engine::QuadraticEngineCore;
 use super::slerp::SlerpCore;
 use super::spherical::SphericalCore;
 use super::spot::SpotCore;
@@ -27,6 +28,7 @@ use crate::light::{self, Glint, STEEPEST_HIGHLIGHT, STEEPEST_SPOT};
 use crate::line::box_filter::BoxCore;
 use crate::line::bresenham::BresenhamCore;
 use crate::line::cone::ConeCore;
+use crate::set_up;
 use crate::simulate::{Clocked, Simulator};
 use crate::texture::{self, Mapping, PERSPECTIVE_BITS, W_FRACTION_BITS};
 use rust_hdl_core::prelude::*;
@@ -35,6 +37,10 @@ use rust_hdl_core::prelude::*;
 pub type QuadraticNarrow = QuadraticCore<32, 20, 32, 17>;
 /// Quadratic core with Q11.24 colours, 36-bit bus, 2^21 frame addresses.
 pub type QuadraticWide = QuadraticCore<36, 24, 36, 21>;
+/// Quadratic core with a set-up engine, formats as [`QuadraticNarrow`].
+pub type QuadraticEngineNarrow = QuadraticEngineCore<32, 20, 32, 17>;
+/// Quadratic core with a set-up engine, formats as [`QuadraticWide`].
+pub type QuadraticEngineWide = QuadraticEngineCore<36, 24, 36, 21>;
 /// Gouraud core with Q11.12 colours, 32-bit bus, 2^17 frame addresses.
 pub type GouraudNarrow = GouraudCore<24, 12, 32, 17>;
 /// Gouraud core with Q11.14 colours, 32-bit bus, 2^21 frame addresses.
@@ -121,6 +127,7 @@ impl Core {
         match self.order {
             Order::Linear => "gouraud",
             Order::Quadratic => "quadratic",
+            Order::QuadraticEngine => "quadratic-engine",
             Order::QuadraticDots => "quadratic-dots",
             Order::Line(filter) => filter.core_name(),
             Order::Span(kind) => kind.name(),
@@ -141,7 +148,11 @@ impl Core {
     pub fn formats(&self) -> Vec<(&'static str, usize, usize)> {
         let n = self.fraction_bits();
         match self.order {
-            Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => {
+            Order::Linear
+            | Order::Quadratic
+            | Order::QuadraticEngine
+            | Order::Line(_)
+            | Order::Span(_) => {
                 vec![("colour", COLOUR_INTEGER_BITS, n)]
             }
             Order::QuadraticDots => vec![
@@ -180,8 +191,8 @@ impl Core {
     #[must_use]
     pub fn fraction_bits(&self) -> usize {
         match (self.order, self.wide) {
-            (Order::Quadratic | Order::Textured(_), false) => 20,
-            (Order::Quadratic | Order::Textured(_), true) => 24,
+            (Order::Quadratic | Order::QuadraticEngine | Order::Textured(_), false) => 20,
+            (Order::Quadratic | Order::QuadraticEngine | Order::Textured(_), true) => 24,
             (Order::Linear, false) => 12,
             (Order::Linear, true) => 14,
             (Order::QuadraticDots | Order::Duff | Order::Glint(_), false) => 15,
@@ -196,6 +207,7 @@ impl Core {
     pub fn latency(&self) -> u32 {
         6 + match self.order {
             Order::Linear | Order::Quadratic => 0,
+            Order::QuadraticEngine => set_up::clocks(),
             Order::QuadraticDots => STAGES as u32,
             Order::Glint(_) => light::STAGES as u32,
             Order::Duff => (unit_cosines::STAGES + STAGES) as u32,
@@ -244,6 +256,7 @@ impl Core {
         let words = match self.order {
             Order::Linear | Order::Line(_) | Order::Span(_) => 1.0 + n,
             Order::Quadratic
+            | Order::QuadraticEngine
             | Order::QuadraticDots
             | Order::Duff
             | Order::Textured(_)
@@ -252,6 +265,7 @@ impl Core {
         let unit = words / 2f64.powi(self.fraction_bits() as i32 + 1);
         match self.order {
             Order::Linear | Order::Quadratic => unit,
+            Order::QuadraticEngine => unit + set_up::error_bound(run),
             Order::Line(filter) => filter.error_bound(run),
             Order::Textured(t) => t.error_bound(self.wide, run, unit),
             Order::Span(kind) => kind.error_bound(run),
@@ -300,6 +314,8 @@ impl Core {
         match (self.order, self.wide) {
             (Order::Quadratic, false) => f.visit(QuadraticNarrow::new(self.pixels)),
             (Order::Quadratic, true) => f.visit(QuadraticWide::new(self.pixels)),
+            (Order::QuadraticEngine, false) => f.visit(QuadraticEngineNarrow::new(self.pixels)),
+            (Order::QuadraticEngine, true) => f.visit(QuadraticEngineWide::new(self.pixels)),
             (Order::Linear, false) => f.visit(GouraudNarrow::new(self.pixels)),
             (Order::Linear, true) => f.visit(GouraudWide::new(self.pixels)),
             (Order::QuadraticDots, false) => f.visit(QuadraticDotsNarrow::new(self.pixels)),
@@ -384,6 +400,7 @@ macro_rules! core_ports {
     };
 }
 core_ports!(QuadraticCore, D, N, B, A);
+core_ports!(QuadraticEngineCore, D, N, B, A);
 core_ports!(GouraudCore, D, N, B, A);
 core_ports!(QuadraticDotsCore, N, B, A);
 core_ports!(DuffCore, N, B, A);

@@ -11,6 +11,7 @@ pub mod phong;
 pub mod pixel_stream;
 pub mod quadratic;
 pub mod quadratic_dots;
+pub mod quadratic_engine;
 pub mod saturate;
 pub mod slerp;
 pub mod span_bound;

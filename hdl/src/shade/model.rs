@@ -18,6 +18,7 @@ use crate::light::{Glint, SKIP_WORD};
 use crate::line::model::LineModel;
 use crate::line::Filter;
 use crate::raster::shell::{ShellInputs, ShellModel};
+use crate::set_up::core_model::EngineCoreModel;
 use crate::texture::model::{colour_in, TextureModel};
 use crate::texture::{select, Mapping, Texturing, PERSPECTIVE_BITS};
 
@@ -28,6 +29,8 @@ pub enum Order {
     Linear,
     /// Quadrics: the quadratic core.
     Quadratic,
+    /// Quadrics that the core sets up itself from corners and knots.
+    QuadraticEngine,
     /// Quadrics of two cosines, the reflection model per pixel: the quadratic-dots core.
     QuadraticDots,
     /// Planes of two dot products and the quadric of the squared length, a root per pixel: the Duff core.
@@ -162,6 +165,7 @@ impl Reflection {
         let stages = match order {
             Order::Linear
             | Order::Quadratic
+            | Order::QuadraticEngine
             | Order::Line(_)
             | Order::Span(_)
             | Order::Textured(_) => return None,
@@ -207,9 +211,12 @@ fn textured_wide(fraction_bits: usize) -> bool {
 /// Widths of a core's three interpolants beside depth.
 fn interpolant_bits(order: Order, fraction_bits: usize) -> [usize; 3] {
     match order {
-        Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) | Order::Textured(_) => {
-            [1 + COLOUR_INTEGER_BITS + fraction_bits; 3]
-        }
+        Order::Linear
+        | Order::Quadratic
+        | Order::QuadraticEngine
+        | Order::Line(_)
+        | Order::Span(_)
+        | Order::Textured(_) => [1 + COLOUR_INTEGER_BITS + fraction_bits; 3],
         Order::QuadraticDots => [
             1 + LIGHT_INTEGER_BITS + LIGHT_FRACTION_BITS + fraction_bits,
             1 + PLACE_INTEGER_BITS + PLACE_FRACTION_BITS + fraction_bits,
@@ -237,6 +244,8 @@ pub struct CoreModel {
     line: Option<Box<LineModel>>,
     /// The whole of a span core; the fields below then stand still.
     span: Option<Box<SpanModel>>,
+    /// The whole of a core with a set-up engine; the fields below then stand still.
+    engine: Option<Box<EngineCoreModel>>,
     order: Order,
     fraction_bits: usize,
     bus_bits: usize,
@@ -267,9 +276,13 @@ impl CoreModel {
             Order::Span(kind) => Some(SpanModel::new(kind, address_bits, pixels).into()),
             _ => None,
         };
+        let engine = (order == Order::QuadraticEngine).then(|| {
+            let bus = bus_bits(order, fraction_bits);
+            EngineCoreModel::new(fraction_bits, bus, address_bits, pixels).into()
+        });
         let linear = Channel::Linear(Linear2Model::default());
         let channel = match order {
-            Order::Linear | Order::Line(_) | Order::Span(_) => linear,
+            Order::Linear | Order::QuadraticEngine | Order::Line(_) | Order::Span(_) => linear,
             Order::Quadratic
             | Order::QuadraticDots
             | Order::Duff
@@ -279,6 +292,7 @@ impl CoreModel {
         Self {
             line,
             span,
+            engine,
             order,
             fraction_bits,
             bus_bits: bus_bits(order, fraction_bits),
@@ -346,6 +360,9 @@ impl CoreModel {
         if let Some(span) = &self.span {
             return span.outputs();
         }
+        if let Some(engine) = &self.engine {
+            return engine.outputs();
+        }
         let shell = self.shell.outputs(&ShellInputs::default());
         let busy = self.busy(shell.busy);
         CoreOutputs {
@@ -363,9 +380,10 @@ impl CoreModel {
     /// Ordinal (from 1, counting starts since power-up) of the triangle that the offered pixel belongs to.
     #[must_use]
     pub fn ordinal(&self) -> u64 {
-        match (&self.line, &self.span) {
-            (Some(line), _) => line.ordinal(),
-            (_, Some(span)) => span.ordinal(),
+        match (&self.line, &self.span, &self.engine) {
+            (Some(line), _, _) => line.ordinal(),
+            (_, Some(span), _) => span.ordinal(),
+            (_, _, Some(engine)) => engine.ordinal(),
             _ => self.out.ordinal,
         }
     }
@@ -384,6 +402,9 @@ impl CoreModel {
         }
         if let Some(span) = &mut self.span {
             return span.clock(i);
+        }
+        if let Some(engine) = &mut self.engine {
+            return engine.clock(i);
         }
         let si = self.shell_inputs(i);
         let so = self.shell.outputs(&si);

@@ -119,7 +119,7 @@ pub fn fragment_error(p: &Prelude) -> FragmentError {
                 let knots: [[f64; 3]; 3] = std::array::from_fn(|i| t.knots[i]);
                 shade::gouraud::value(&t.position, &knots, x, y)
             }
-            Order::Quadratic => {
+            Order::Quadratic | Order::QuadraticEngine => {
                 let knots: [[f64; 3]; 6] = std::array::from_fn(|i| t.knots[i]);
                 shade::quadratic::value(&t.position, &knots, x, y)
             }

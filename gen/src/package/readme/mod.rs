@@ -18,6 +18,9 @@ pub fn readme(m: &Manifest, core: &Core, target: Option<Target>, example: &str) 
     let colour = match core.order {
         Order::Linear => "a plane through three vertex colours",
         Order::Quadratic => "a quadric through six colours, at vertices and mid-edges",
+        Order::QuadraticEngine => {
+            "a quadric through six colours, at vertices and mid-edges, which it sets up itself"
+        }
         Order::Duff => {
             "planes of N·L and N·H, a root for the length of the normal, and the light that the material reflects per pixel"
         }
@@ -75,6 +78,7 @@ pub fn readme(m: &Manifest, core: &Core, target: Option<Target>, example: &str) 
         tables::ports(m),
         match core.order {
             Order::Line(_) => tables::line_registers(m),
+            Order::QuadraticEngine => tables::engine_registers(m),
             _ => tables::registers(m),
         },
         tables::wrappers(m),

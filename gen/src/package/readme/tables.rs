@@ -1,5 +1,6 @@
 //! The tables of the package's README.
 
+use crate::package::engine_registers::ABOUT;
 use crate::package::{Manifest, Register};
 use std::fmt::Write;
 
@@ -106,6 +107,15 @@ pub fn registers(m: &Manifest) -> String {
          when the edge walk carries. d(u) is the first difference along u at the first span start, dd(u, v) the \
          second difference. Words that are sums of others are formed by adding the rounded words.\n",
     );
+    out
+}
+
+/// The register map of a core with a set-up engine.
+pub fn engine_registers(m: &Manifest) -> String {
+    let mut out = String::from(ABOUT);
+    out += &shell_rows(m);
+    out += &channel_rows(m, "Red, green, blue", "red", &[1, 2, 4]);
+    out += &channel_rows(m, "Depth", "depth", &[8]);
     out
 }
 
