@@ -10,6 +10,7 @@
 //!
 //! Any simulator that drives the first word and compares the other two replays the run; nothing else is needed.
 
+use crate::spent::Spent;
 use crate::stimulus::{Host, Step, Stimulus};
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::{CoreInputs, CoreOutputs};
@@ -52,6 +53,8 @@ pub struct Trace {
     pub pixels: Vec<Pixel>,
     /// Clocks from the first register write of a triangle to `done`, both included.
     pub cycles: u64,
+    /// What these clocks were spent on.
+    pub spent: Spent,
     /// Register writes.
     pub writes: u64,
 }
@@ -102,18 +105,24 @@ impl Trace {
     #[must_use]
     pub fn record(core: Core, stimulus: &Stimulus, mut ready: impl FnMut(u64) -> bool) -> Self {
         let mut model = core.model();
-        let mut host = Host::new(stimulus);
+        let mut host = Host::with_lanes(stimulus, core.load_words);
         let mut outputs = model.outputs();
         let mut trace = Self {
             core,
             clocks: vec![],
             pixels: vec![],
             cycles: 0,
+            spent: Spent::default(),
             writes: 0,
         };
+        let mut spent = Spent::default();
         let mut first = None;
         let mut clock = 0;
-        while let Step::Drive(inputs) = host.step(&outputs, ready(clock)) {
+        loop {
+            let sent = host.sent();
+            let Step::Drive(inputs) = host.step(&outputs, ready(clock)) else {
+                break;
+            };
             if outputs.valid && inputs.ready {
                 let triangle = stimulus.primitives[model.ordinal() as usize - 1].triangle;
                 let CoreOutputs {
@@ -132,12 +141,16 @@ impl Trace {
             if first.is_none() && !frame_write && (inputs.write || inputs.start) {
                 first = Some(clock);
             }
-            trace.writes += u64::from(inputs.write);
+            trace.writes += inputs.writes();
+            if first.is_some() {
+                spent.count(model.pace(&inputs), outputs.load_ready && !sent);
+            }
             model.clock(&inputs);
             outputs = model.outputs();
             trace.clocks.push(Clock { inputs, outputs });
             if outputs.done {
                 trace.cycles = clock + 1 - first.unwrap_or(clock);
+                trace.spent = spent;
             }
             clock += 1;
         }

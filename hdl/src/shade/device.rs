@@ -60,6 +60,18 @@ pub fn longest_run(width: u32, height: u32) -> Option<u32> {
         .checked_add(height.checked_mul(2)?)
 }
 
+/// Hands a function the design of these numbers that takes the core's register words per clock.
+macro_rules! by_lanes {
+    ($core:expr, $f:expr, $type:ident, $($n:expr),+) => {
+        match $core.load_words {
+            1 => $f.visit($type::<$($n),+, 1>::new($core.pixels)),
+            2 => $f.visit($type::<$($n),+, 2>::new($core.pixels)),
+            _ => $f.visit($type::<$($n),+, 4>::new($core.pixels)),
+        }
+    };
+}
+pub(super) use by_lanes;
+
 /// A core, chosen at run time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Core {
@@ -69,6 +81,8 @@ pub struct Core {
     pub wide: bool,
     /// Words of the depth memory: pixels of the frame.
     pub pixels: usize,
+    /// Register words per clock: 1, 2 or 4. Line cores have 1.
+    pub load_words: usize,
 }
 
 impl Core {
@@ -83,6 +97,7 @@ impl Core {
             order,
             wide: run > NARROW_RUN,
             pixels: (width * height) as usize,
+            load_words: 1,
         })
     }
 
@@ -225,18 +240,18 @@ impl Core {
     /// Calls `f` with the description.
     pub fn with_design<R>(&self, f: impl DesignVisitor<R>) -> R {
         match (self.order, self.wide) {
-            (Order::Quadratic, false) => f.visit(QuadraticNarrow::new(self.pixels)),
-            (Order::Quadratic, true) => f.visit(QuadraticWide::new(self.pixels)),
-            (Order::Linear, false) => f.visit(GouraudNarrow::new(self.pixels)),
-            (Order::Linear, true) => f.visit(GouraudWide::new(self.pixels)),
-            (Order::QuadraticDots, false) => f.visit(QuadraticDotsNarrow::new(self.pixels)),
-            (Order::Duff, false) => f.visit(DuffNarrow::new(self.pixels)),
-            (Order::Duff, true) => f.visit(DuffWide::new(self.pixels)),
-            (Order::QuadraticDots, true) => f.visit(QuadraticDotsWide::new(self.pixels)),
+            (Order::Quadratic, false) => by_lanes!(self, f, QuadraticCore, 32, 20, 32, 17),
+            (Order::Quadratic, true) => by_lanes!(self, f, QuadraticCore, 36, 24, 36, 21),
+            (Order::Linear, false) => by_lanes!(self, f, GouraudCore, 24, 12, 32, 17),
+            (Order::Linear, true) => by_lanes!(self, f, GouraudCore, 26, 14, 32, 21),
+            (Order::QuadraticDots, false) => by_lanes!(self, f, QuadraticDotsCore, 15, 45, 17),
+            (Order::QuadraticDots, true) => by_lanes!(self, f, QuadraticDotsCore, 19, 49, 21),
+            (Order::Duff, false) => by_lanes!(self, f, DuffCore, 15, 45, 17),
+            (Order::Duff, true) => by_lanes!(self, f, DuffCore, 19, 49, 21),
             (Order::Line(filter), false) => filter.with_design::<17, R>(self.pixels, f),
             (Order::Line(filter), true) => filter.with_design::<21, R>(self.pixels, f),
-            (Order::Span(kind), false) => kind.with_design::<17, R>(self.pixels, f),
-            (Order::Span(kind), true) => kind.with_design::<21, R>(self.pixels, f),
+            (Order::Span(kind), false) => kind.with_design::<17, R>(self, f),
+            (Order::Span(kind), true) => kind.with_design::<21, R>(self, f),
         }
     }
 }
@@ -256,9 +271,10 @@ pub trait CorePorts {
 }
 
 macro_rules! core_ports {
-    ($type:ident, $($n:ident),+) => {
+    ($type:ident, $($n:ident),+ $(; $lanes:ident)?) => {
         impl<$(const $n: usize),+> CorePorts for $type<$($n),+> {
             fn set(&mut self, i: &CoreInputs) {
+                $(self.$lanes.set(&i.more);)?
                 self.write.next = i.write;
                 self.select.next = U::new(u64::from(i.select));
                 self.data.next = U::new(i.data);
@@ -287,14 +303,14 @@ macro_rules! core_ports {
         }
     };
 }
-core_ports!(QuadraticCore, D, N, B, A);
-core_ports!(GouraudCore, D, N, B, A);
-core_ports!(QuadraticDotsCore, N, B, A);
-core_ports!(DuffCore, N, B, A);
-core_ports!(SlerpCore, A);
-core_ports!(ChebyshevCore, A);
-core_ports!(BlakeCore, A);
-core_ports!(SphericalCore, A, K, M, P, H);
+core_ports!(QuadraticCore, D, N, B, A, W; lanes);
+core_ports!(GouraudCore, D, N, B, A, W; lanes);
+core_ports!(QuadraticDotsCore, N, B, A, W; lanes);
+core_ports!(DuffCore, N, B, A, W; lanes);
+core_ports!(SlerpCore, A, W; lanes);
+core_ports!(ChebyshevCore, A, W; lanes);
+core_ports!(BlakeCore, A, W; lanes);
+core_ports!(SphericalCore, A, K, M, P, H, W; lanes);
 core_ports!(BresenhamCore, A);
 core_ports!(BoxCore, A);
 core_ports!(ConeCore, A);

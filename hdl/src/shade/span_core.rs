@@ -2,7 +2,7 @@
 
 use super::blake::BlakeCore;
 use super::chebyshev::ChebyshevCore;
-use super::device::DesignVisitor;
+use super::device::{by_lanes, Core, DesignVisitor};
 use super::slerp::SlerpCore;
 use super::span_bound::error_bound;
 use super::spherical::SphericalCore;
@@ -58,23 +58,19 @@ impl SpanKind {
     }
 
     /// Calls `f` with the description for frame addresses of `A` bits.
-    pub(super) fn with_design<const A: usize, R>(
-        self,
-        pixels: usize,
-        f: impl DesignVisitor<R>,
-    ) -> R {
+    pub(super) fn with_design<const A: usize, R>(self, core: &Core, f: impl DesignVisitor<R>) -> R {
         match self {
-            Self::Slerp => f.visit(SlerpCore::<A>::new(pixels)),
-            Self::Chebyshev => f.visit(ChebyshevCore::<A>::new(pixels)),
-            Self::Blake | Self::BlakeRefit => f.visit(BlakeCore::<A>::new(pixels)),
+            Self::Slerp => by_lanes!(core, f, SlerpCore, A),
+            Self::Chebyshev => by_lanes!(core, f, ChebyshevCore, A),
+            Self::Blake | Self::BlakeRefit => by_lanes!(core, f, BlakeCore, A),
             Self::Spherical(bits) | Self::SphericalPower(bits) => match bits {
-                0..=4 => f.visit(Spherical4::<A>::new(pixels)),
-                5 => f.visit(Spherical5::<A>::new(pixels)),
-                6 => f.visit(Spherical6::<A>::new(pixels)),
-                7 => f.visit(Spherical7::<A>::new(pixels)),
-                8 => f.visit(Spherical8::<A>::new(pixels)),
-                9 => f.visit(Spherical9::<A>::new(pixels)),
-                _ => f.visit(Spherical10::<A>::new(pixels)),
+                0..=4 => by_lanes!(core, f, SphericalCore, A, 4, 10, 22, 6),
+                5 => by_lanes!(core, f, SphericalCore, A, 5, 11, 23, 7),
+                6 => by_lanes!(core, f, SphericalCore, A, 6, 12, 24, 8),
+                7 => by_lanes!(core, f, SphericalCore, A, 7, 13, 25, 9),
+                8 => by_lanes!(core, f, SphericalCore, A, 8, 14, 26, 10),
+                9 => by_lanes!(core, f, SphericalCore, A, 9, 15, 27, 11),
+                _ => by_lanes!(core, f, SphericalCore, A, 10, 16, 28, 12),
             },
         }
     }
