@@ -18,7 +18,7 @@ use rust_hdl_core::prelude::*;
 /// over a word number (bits 3 to 0); a mask of zero selects the words of shell and tables. One write may go to several
 /// targets.
 #[derive(LogicBlock)]
-pub struct ChebyshevCore<const A: usize, const W: usize = 1> {
+pub struct ChebyshevCore<const A: usize> {
     /// Clock.
     pub clock: Signal<In, Clock>,
     /// Writes `data` to the selected register words; ignored while `load_ready` is low.
@@ -34,7 +34,7 @@ pub struct ChebyshevCore<const A: usize, const W: usize = 1> {
     /// The pixel is taken.
     pub ready: Signal<In, Bit>,
     /// The further lanes of the load port.
-    pub lanes: LanePort<32, W>,
+    pub lanes: LanePort<32>,
     /// Register words may be written.
     pub load_ready: Signal<Out, Bit>,
     /// A visible pixel is offered; held until `ready`.
@@ -85,7 +85,7 @@ pub struct ChebyshevCore<const A: usize, const W: usize = 1> {
     stream: Quiet<LitStream<A>>,
 }
 
-impl<const A: usize, const W: usize> ChebyshevCore<A, W> {
+impl<const A: usize> ChebyshevCore<A> {
     /// A core whose depth memory has `pixels` words.
     #[must_use]
     pub fn new(pixels: usize) -> Self {
@@ -127,7 +127,7 @@ impl<const A: usize, const W: usize> ChebyshevCore<A, W> {
 }
 
 /// One word per clock: `select` is decoded for all targets.
-impl<const A: usize, const W: usize> load_lanes::Part<OneLane> for ChebyshevCore<A, W> {
+impl<const A: usize> load_lanes::Part<OneLane> for ChebyshevCore<A> {
     #[hdl_gen]
     fn update(&mut self) {
         self.accept.next = self.write.val() && self.shell.load_ready.val();
@@ -150,7 +150,7 @@ impl<const A: usize, const W: usize> load_lanes::Part<OneLane> for ChebyshevCore
 }
 
 /// Several words per clock: each target has its own.
-impl<const A: usize, const W: usize> load_lanes::Part<Lanes> for ChebyshevCore<A, W> {
+impl<const A: usize> load_lanes::Part<Lanes> for ChebyshevCore<A> {
     #[hdl_gen]
     fn update(&mut self) {
         self.accept.next = self.shell.load_ready.val();
@@ -172,7 +172,7 @@ impl<const A: usize, const W: usize> load_lanes::Part<Lanes> for ChebyshevCore<A
     }
 }
 
-impl<const A: usize, const W: usize> load_lanes::Part<Rest> for ChebyshevCore<A, W> {
+impl<const A: usize> load_lanes::Part<Rest> for ChebyshevCore<A> {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("name chebyshev_core");
@@ -243,5 +243,5 @@ impl<const A: usize, const W: usize> load_lanes::Part<Rest> for ChebyshevCore<A,
     }
 }
 
-crate::lane_core!(ChebyshevCore<A, W>, const A: usize, const W: usize;
+crate::lane_core!(ChebyshevCore<A>, const A: usize;
     outputs load_ready, valid, x, y, red, green, blue, depth, busy, done);

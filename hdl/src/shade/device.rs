@@ -60,17 +60,41 @@ pub fn longest_run(width: u32, height: u32) -> Option<u32> {
         .checked_add(height.checked_mul(2)?)
 }
 
-/// Hands a function the design of these numbers that takes the core's register words per clock.
-macro_rules! by_lanes {
-    ($core:expr, $f:expr, $type:ident, $($n:expr),+) => {
-        match $core.load_words {
-            1 => $f.visit($type::<$($n),+, 1>::new($core.pixels)),
-            2 => $f.visit($type::<$($n),+, 2>::new($core.pixels)),
-            _ => $f.visit($type::<$($n),+, 4>::new($core.pixels)),
-        }
-    };
+/// Why a core has no load port of so many words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LoadWordsError {
+    /// No core has one.
+    Count(usize),
+    /// This core takes one word per clock.
+    Core(&'static str),
 }
-pub(super) use by_lanes;
+
+impl std::fmt::Display for LoadWordsError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Count(words) => write!(
+                f,
+                "a load port of {words} register words per clock does not exist; expected 1, 2 or 4"
+            ),
+            Self::Core(name) => write!(
+                f,
+                "core '{name}' takes one register word per clock; expected 1 load word"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for LoadWordsError {}
+
+/// Hands a function a design with the core's load port.
+macro_rules! laned {
+    ($core:expr, $f:expr, $type:ty) => {{
+        let mut design = <$type>::new($core.pixels);
+        design.lanes.widen($core.load_words);
+        $f.visit(design)
+    }};
+}
+pub(super) use laned;
 
 /// A core, chosen at run time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -98,6 +122,31 @@ impl Core {
             wide: run > NARROW_RUN,
             pixels: (width * height) as usize,
             load_words: 1,
+        })
+    }
+
+    /// Register words per clock that a core may take.
+    pub const LOAD_WORDS: [usize; 3] = [1, 2, 4];
+
+    /// The same core with a load port of `words` register words per clock.
+    ///
+    /// # Errors
+    /// Other numbers than 1, 2 and 4; more than 1 for cores that have one lane.
+    pub fn with_load_words(self, words: usize) -> Result<Self, LoadWordsError> {
+        let lanes = match self.order {
+            Order::Linear | Order::Quadratic | Order::QuadraticDots | Order::Duff => true,
+            Order::Span(_) => true,
+            Order::Line(_) => false,
+        };
+        if !Self::LOAD_WORDS.contains(&words) {
+            return Err(LoadWordsError::Count(words));
+        }
+        if words > 1 && !lanes {
+            return Err(LoadWordsError::Core(self.name()));
+        }
+        Ok(Self {
+            load_words: words,
+            ..self
         })
     }
 
@@ -240,14 +289,14 @@ impl Core {
     /// Calls `f` with the description.
     pub fn with_design<R>(&self, f: impl DesignVisitor<R>) -> R {
         match (self.order, self.wide) {
-            (Order::Quadratic, false) => by_lanes!(self, f, QuadraticCore, 32, 20, 32, 17),
-            (Order::Quadratic, true) => by_lanes!(self, f, QuadraticCore, 36, 24, 36, 21),
-            (Order::Linear, false) => by_lanes!(self, f, GouraudCore, 24, 12, 32, 17),
-            (Order::Linear, true) => by_lanes!(self, f, GouraudCore, 26, 14, 32, 21),
-            (Order::QuadraticDots, false) => by_lanes!(self, f, QuadraticDotsCore, 15, 45, 17),
-            (Order::QuadraticDots, true) => by_lanes!(self, f, QuadraticDotsCore, 19, 49, 21),
-            (Order::Duff, false) => by_lanes!(self, f, DuffCore, 15, 45, 17),
-            (Order::Duff, true) => by_lanes!(self, f, DuffCore, 19, 49, 21),
+            (Order::Quadratic, false) => laned!(self, f, QuadraticNarrow),
+            (Order::Quadratic, true) => laned!(self, f, QuadraticWide),
+            (Order::Linear, false) => laned!(self, f, GouraudNarrow),
+            (Order::Linear, true) => laned!(self, f, GouraudWide),
+            (Order::QuadraticDots, false) => laned!(self, f, QuadraticDotsNarrow),
+            (Order::QuadraticDots, true) => laned!(self, f, QuadraticDotsWide),
+            (Order::Duff, false) => laned!(self, f, DuffNarrow),
+            (Order::Duff, true) => laned!(self, f, DuffWide),
             (Order::Line(filter), false) => filter.with_design::<17, R>(self.pixels, f),
             (Order::Line(filter), true) => filter.with_design::<21, R>(self.pixels, f),
             (Order::Span(kind), false) => kind.with_design::<17, R>(self, f),
@@ -303,14 +352,14 @@ macro_rules! core_ports {
         }
     };
 }
-core_ports!(QuadraticCore, D, N, B, A, W; lanes);
-core_ports!(GouraudCore, D, N, B, A, W; lanes);
-core_ports!(QuadraticDotsCore, N, B, A, W; lanes);
-core_ports!(DuffCore, N, B, A, W; lanes);
-core_ports!(SlerpCore, A, W; lanes);
-core_ports!(ChebyshevCore, A, W; lanes);
-core_ports!(BlakeCore, A, W; lanes);
-core_ports!(SphericalCore, A, K, M, P, H, W; lanes);
+core_ports!(QuadraticCore, D, N, B, A; lanes);
+core_ports!(GouraudCore, D, N, B, A; lanes);
+core_ports!(QuadraticDotsCore, N, B, A; lanes);
+core_ports!(DuffCore, N, B, A; lanes);
+core_ports!(SlerpCore, A; lanes);
+core_ports!(ChebyshevCore, A; lanes);
+core_ports!(BlakeCore, A; lanes);
+core_ports!(SphericalCore, A, K, M, P, H; lanes);
 core_ports!(BresenhamCore, A);
 core_ports!(BoxCore, A);
 core_ports!(ConeCore, A);

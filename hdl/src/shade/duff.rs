@@ -32,7 +32,7 @@ use rust_hdl_widgets::dff_setup;
 /// `select` is a mask (bit 4 N·L in words 0 to 3 and N·H in words 4 to 7, bit 5 |N|², 6 material, 7 depth) over a word
 /// number (bits 3 to 0); a mask of zero selects the shell's words, and word 12 the fence.
 #[derive(LogicBlock)]
-pub struct DuffCore<const N: usize, const B: usize, const A: usize, const W: usize = 1> {
+pub struct DuffCore<const N: usize, const B: usize, const A: usize> {
     /// Clock.
     pub clock: Signal<In, Clock>,
     /// Writes `data` to the selected register words; ignored while `load_ready` is low.
@@ -48,7 +48,7 @@ pub struct DuffCore<const N: usize, const B: usize, const A: usize, const W: usi
     /// The pixel is taken.
     pub ready: Signal<In, Bit>,
     /// The further lanes of the load port.
-    pub lanes: LanePort<B, W>,
+    pub lanes: LanePort<B>,
     /// Register words may be written.
     pub load_ready: Signal<Out, Bit>,
     /// A visible pixel is offered; held until `ready`.
@@ -125,7 +125,7 @@ pub struct DuffCore<const N: usize, const B: usize, const A: usize, const W: usi
     stream: Quiet<PixelStream<A>>,
 }
 
-impl<const N: usize, const B: usize, const A: usize, const W: usize> DuffCore<N, B, A, W> {
+impl<const N: usize, const B: usize, const A: usize> DuffCore<N, B, A> {
     /// A core whose depth memory has `pixels` words.
     #[must_use]
     pub fn new(pixels: usize) -> Self {
@@ -181,8 +181,8 @@ impl<const N: usize, const B: usize, const A: usize, const W: usize> DuffCore<N,
 }
 
 /// One word per clock: `select` is decoded for all targets.
-impl<const N: usize, const B: usize, const A: usize, const W: usize> load_lanes::Part<OneLane>
-    for DuffCore<N, B, A, W>
+impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<OneLane>
+    for DuffCore<N, B, A>
 {
     #[hdl_gen]
     fn update(&mut self) {
@@ -211,9 +211,7 @@ impl<const N: usize, const B: usize, const A: usize, const W: usize> load_lanes:
 }
 
 /// Several words per clock: each target has its own.
-impl<const N: usize, const B: usize, const A: usize, const W: usize> load_lanes::Part<Lanes>
-    for DuffCore<N, B, A, W>
-{
+impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<Lanes> for DuffCore<N, B, A> {
     #[hdl_gen]
     fn update(&mut self) {
         self.open.next = self.shell.load_ready.val() && !self.draining.q.val();
@@ -241,9 +239,7 @@ impl<const N: usize, const B: usize, const A: usize, const W: usize> load_lanes:
     }
 }
 
-impl<const N: usize, const B: usize, const A: usize, const W: usize> load_lanes::Part<Rest>
-    for DuffCore<N, B, A, W>
-{
+impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<Rest> for DuffCore<N, B, A> {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("name duff_core");
@@ -388,5 +384,5 @@ impl<const N: usize, const B: usize, const A: usize, const W: usize> load_lanes:
     }
 }
 
-crate::lane_core!(DuffCore<N, B, A, W>, const N: usize, const B: usize, const A: usize, const W: usize;
+crate::lane_core!(DuffCore<N, B, A>, const N: usize, const B: usize, const A: usize;
     outputs load_ready, valid, x, y, red, green, blue, depth, busy, done);

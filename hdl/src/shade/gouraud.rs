@@ -19,13 +19,7 @@ use rust_hdl_core::prelude::*;
 /// `select` is a channel mask (bit 4 red, 5 green, 6 blue, 7 depth) over a word number (bits 3 to 0); a mask of zero
 /// selects the shell's words. One write may go to several channels.
 #[derive(LogicBlock)]
-pub struct GouraudCore<
-    const D: usize,
-    const N: usize,
-    const B: usize,
-    const A: usize,
-    const W: usize = 1,
-> {
+pub struct GouraudCore<const D: usize, const N: usize, const B: usize, const A: usize> {
     /// Clock.
     pub clock: Signal<In, Clock>,
     /// Writes `data` to the selected register words; ignored while `load_ready` is low.
@@ -41,7 +35,7 @@ pub struct GouraudCore<
     /// The pixel is taken.
     pub ready: Signal<In, Bit>,
     /// The further lanes of the load port.
-    pub lanes: LanePort<B, W>,
+    pub lanes: LanePort<B>,
     /// Register words may be written.
     pub load_ready: Signal<Out, Bit>,
     /// A visible pixel is offered; held until `ready`.
@@ -88,9 +82,7 @@ pub struct GouraudCore<
     stream: Quiet<PixelStream<A>>,
 }
 
-impl<const D: usize, const N: usize, const B: usize, const A: usize, const W: usize>
-    GouraudCore<D, N, B, A, W>
-{
+impl<const D: usize, const N: usize, const B: usize, const A: usize> GouraudCore<D, N, B, A> {
     /// A core whose depth memory has `pixels` words.
     #[must_use]
     pub fn new(pixels: usize) -> Self {
@@ -134,8 +126,8 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize, const W: us
 }
 
 /// One word per clock: `select` is decoded for all targets.
-impl<const D: usize, const N: usize, const B: usize, const A: usize, const W: usize>
-    load_lanes::Part<OneLane> for GouraudCore<D, N, B, A, W>
+impl<const D: usize, const N: usize, const B: usize, const A: usize> load_lanes::Part<OneLane>
+    for GouraudCore<D, N, B, A>
 {
     #[hdl_gen]
     fn update(&mut self) {
@@ -159,8 +151,8 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize, const W: us
 }
 
 /// Several words per clock: each target has its own.
-impl<const D: usize, const N: usize, const B: usize, const A: usize, const W: usize>
-    load_lanes::Part<Lanes> for GouraudCore<D, N, B, A, W>
+impl<const D: usize, const N: usize, const B: usize, const A: usize> load_lanes::Part<Lanes>
+    for GouraudCore<D, N, B, A>
 {
     #[hdl_gen]
     fn update(&mut self) {
@@ -183,8 +175,8 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize, const W: us
     }
 }
 
-impl<const D: usize, const N: usize, const B: usize, const A: usize, const W: usize>
-    load_lanes::Part<Rest> for GouraudCore<D, N, B, A, W>
+impl<const D: usize, const N: usize, const B: usize, const A: usize> load_lanes::Part<Rest>
+    for GouraudCore<D, N, B, A>
 {
     #[hdl_gen]
     fn update(&mut self) {
@@ -258,5 +250,5 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize, const W: us
     }
 }
 
-crate::lane_core!(GouraudCore<D, N, B, A, W>, const D: usize, const N: usize, const B: usize, const A: usize, const W: usize;
+crate::lane_core!(GouraudCore<D, N, B, A>, const D: usize, const N: usize, const B: usize, const A: usize;
     outputs load_ready, valid, x, y, red, green, blue, depth, busy, done);

@@ -11,6 +11,13 @@ pub const MAX_LANES: usize = 4;
 /// Targets of a register write: the shell and the four bits of the mask.
 pub const TARGETS: usize = 5;
 
+/// Ports of the further lanes, in order.
+pub const LANE_PORTS: [[&str; 3]; MAX_LANES - 1] = [
+    ["write_1", "select_1", "data_1"],
+    ["write_2", "select_2", "data_2"],
+    ["write_3", "select_3", "data_3"],
+];
+
 /// Inputs of a lane.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Lane {

@@ -5,7 +5,7 @@
 //! more lanes that part of the text is replaced by one that takes each target's word from [`LoadLanes`]; see
 //! [`Part`].
 
-use super::lanes::{Lane, MAX_LANES};
+use super::lanes::{Lane, LANE_PORTS, MAX_LANES};
 use crate::format::U;
 use crate::simulate::{Quiet, Wire};
 use rust_hdl_core::ast::{VerilogExpression, VerilogStatement};
@@ -210,15 +210,19 @@ struct LanePins<const B: usize> {
     data: Signal<In, U<B>>,
 }
 
-/// The further lanes of a core of `W` words per clock: their ports, and the choice of words as instance `lanes`.
-/// Empty if `W` is 1. The docs of the ports are those of [`LoadLanes`], which has the same names.
+/// The further lanes of a core: their ports, and the choice of words as instance `lanes`. Empty in a core of one word
+/// per clock. The docs of the ports are those of [`LoadLanes`], which has the same names.
+///
+/// The number of lanes is no const generic, so that a core is compiled once for all of them.
 #[derive(Default)]
-pub struct LanePort<const B: usize, const W: usize> {
+pub struct LanePort<const B: usize> {
+    /// Lanes behind the first.
+    further: usize,
     pins: [LanePins<B>; MAX_LANES - 1],
     router: Quiet<LoadLanes<B>>,
 }
 
-impl<const B: usize, const W: usize> Deref for LanePort<B, W> {
+impl<const B: usize> Deref for LanePort<B> {
     type Target = LoadLanes<B>;
     #[inline(always)]
     fn deref(&self) -> &LoadLanes<B> {
@@ -226,20 +230,25 @@ impl<const B: usize, const W: usize> Deref for LanePort<B, W> {
     }
 }
 
-impl<const B: usize, const W: usize> LanePort<B, W> {
-    /// Names of the ports, lane by lane, after those of lane 0.
-    pub const NAMES: [[&'static str; 3]; MAX_LANES - 1] = [
-        ["write_1", "select_1", "data_1"],
-        ["write_2", "select_2", "data_2"],
-        ["write_3", "select_3", "data_3"],
-    ];
+impl<const B: usize> LanePort<B> {
+    /// Makes the port take `words` register words per clock, [`MAX_LANES`] at most, before the core is connected.
+    pub fn widen(&mut self, words: usize) {
+        self.further = words.clamp(1, MAX_LANES) - 1;
+    }
+
+    /// Whether there are lanes behind the first.
+    #[must_use]
+    #[inline(always)]
+    pub fn several(&self) -> bool {
+        self.further > 0
+    }
 
     fn used(&self) -> &[LanePins<B>] {
-        &self.pins[..W - 1]
+        &self.pins[..self.further]
     }
 
     fn used_mut(&mut self) -> &mut [LanePins<B>] {
-        &mut self.pins[..W - 1]
+        &mut self.pins[..self.further]
     }
 
     /// Presents the inputs of the further lanes.
@@ -332,7 +341,9 @@ impl<const B: usize, const W: usize> LanePort<B, W> {
                 let to = VerilogExpression::Signal(format!("lanes${port}_{lane}"));
                 let from = match lane {
                     0 => VerilogExpression::Signal(port.to_owned()),
-                    _ if lane < W => VerilogExpression::Signal(format!("{port}_{lane}")),
+                    _ if lane <= self.further => {
+                        VerilogExpression::Signal(format!("{port}_{lane}"))
+                    }
                     _ if port == "write" => VerilogExpression::Literal(false.into()),
                     _ => VerilogExpression::Literal(0u32.into()),
                 };
@@ -343,20 +354,20 @@ impl<const B: usize, const W: usize> LanePort<B, W> {
     }
 }
 
-impl<const B: usize, const W: usize> Logic for LanePort<B, W> {
+impl<const B: usize> Logic for LanePort<B> {
     fn update(&mut self) {}
 }
 
-impl<const B: usize, const W: usize> Block for LanePort<B, W> {
+impl<const B: usize> Block for LanePort<B> {
     fn connect_all(&mut self) {
-        if W > 1 {
+        if self.several() {
             self.router.connect_all();
         }
     }
 
     #[inline(always)]
     fn update_all(&mut self) {
-        if W > 1 {
+        if self.several() {
             self.take_inputs();
             self.router.update_all();
         }
@@ -364,14 +375,14 @@ impl<const B: usize, const W: usize> Block for LanePort<B, W> {
 
     #[inline(always)]
     fn has_changed(&self) -> bool {
-        W > 1 && self.router.has_changed()
+        self.several() && self.router.has_changed()
     }
 
     fn accept(&self, _name: &str, probe: &mut dyn Probe) {
-        if W == 1 {
+        if !self.several() {
             return;
         }
-        for (pins, [write, select, data]) in self.used().iter().zip(Self::NAMES) {
+        for (pins, [write, select, data]) in self.used().iter().zip(LANE_PORTS) {
             pins.write.accept(write, probe);
             pins.select.accept(select, probe);
             pins.data.accept(data, probe);
@@ -410,8 +421,8 @@ pub fn joined(first: Verilog, more: Vec<VerilogStatement>, second: Verilog) -> V
     }
 }
 
-/// Makes a core of its [`Part`]s, with the ports of its lanes: the last const is the number of words per clock, the
-/// field `lanes` its [`LanePort`], declared behind `ready`.
+/// Makes a core of its [`Part`]s, with the ports of its lanes: the field `lanes` is its [`LanePort`], declared behind
+/// `ready`.
 #[macro_export]
 macro_rules! lane_core {
     ($type:ty $(, const $n:ident: $t:ty)*; outputs $($output:ident),+) => {
@@ -419,23 +430,23 @@ macro_rules! lane_core {
             #[inline]
             fn update(&mut self) {
                 use $crate::shade::load_lanes::{Lanes, OneLane, Part, Rest};
-                if W == 1 {
-                    Part::<OneLane>::update(self);
-                } else {
+                if self.lanes.several() {
                     let (write, select, data) = (self.write.val(), self.select.val(), self.data.val());
                     self.lanes.feed(write, select, data);
                     Part::<Lanes>::update(self);
+                } else {
+                    Part::<OneLane>::update(self);
                 }
                 Part::<Rest>::update(self);
             }
 
             fn connect(&mut self) {
                 use $crate::shade::load_lanes::{Lanes, OneLane, Part, Rest};
-                if W == 1 {
-                    Part::<OneLane>::connect(self);
-                } else {
+                if self.lanes.several() {
                     self.lanes.connect_lanes();
                     Part::<Lanes>::connect(self);
+                } else {
+                    Part::<OneLane>::connect(self);
                 }
                 Part::<Rest>::connect(self);
             }
@@ -443,21 +454,19 @@ macro_rules! lane_core {
             fn hdl(&self) -> Verilog {
                 use $crate::shade::load_lanes::{joined, Lanes, OneLane, Part, Rest};
                 let rest = Part::<Rest>::hdl(self);
-                if W == 1 {
-                    joined(Part::<OneLane>::hdl(self), vec![], rest)
-                } else {
+                if self.lanes.several() {
                     joined(Part::<Lanes>::hdl(self), self.lanes.links(), rest)
+                } else {
+                    joined(Part::<OneLane>::hdl(self), vec![], rest)
                 }
             }
         }
 
         impl<$(const $n: $t),*> $crate::simulate::Ports for $type {
             fn port_names() -> (&'static [&'static str], &'static [&'static str]) {
-                const INPUTS: [&str; 16] = [
-                    "clock", "write", "select", "data", "start", "clear", "ready", "write_1", "select_1", "data_1",
-                    "write_2", "select_2", "data_2", "write_3", "select_3", "data_3",
-                ];
-                (&INPUTS[..7 + 3 * (W - 1)], &[$(stringify!($output)),+])
+                // Those of the core with one lane.
+                const INPUTS: [&str; 7] = ["clock", "write", "select", "data", "start", "clear", "ready"];
+                (&INPUTS, &[$(stringify!($output)),+])
             }
 
             #[inline(always)]

@@ -25,13 +25,7 @@ use rust_hdl_core::prelude::*;
 /// `select` is a channel mask (bit 4 red, 5 green, 6 blue, 7 depth) over a word number (bits 3 to 0); a mask of zero
 /// selects the shell's words. One write may go to several channels.
 #[derive(LogicBlock)]
-pub struct QuadraticCore<
-    const D: usize,
-    const N: usize,
-    const B: usize,
-    const A: usize,
-    const W: usize = 1,
-> {
+pub struct QuadraticCore<const D: usize, const N: usize, const B: usize, const A: usize> {
     /// Clock.
     pub clock: Signal<In, Clock>,
     /// Writes `data` to the selected register words; ignored while `load_ready` is low.
@@ -47,7 +41,7 @@ pub struct QuadraticCore<
     /// The pixel is taken.
     pub ready: Signal<In, Bit>,
     /// The further lanes of the load port.
-    pub lanes: LanePort<B, W>,
+    pub lanes: LanePort<B>,
     /// Register words may be written.
     pub load_ready: Signal<Out, Bit>,
     /// A visible pixel is offered; held until `ready`.
@@ -94,9 +88,7 @@ pub struct QuadraticCore<
     stream: Quiet<PixelStream<A>>,
 }
 
-impl<const D: usize, const N: usize, const B: usize, const A: usize, const W: usize>
-    QuadraticCore<D, N, B, A, W>
-{
+impl<const D: usize, const N: usize, const B: usize, const A: usize> QuadraticCore<D, N, B, A> {
     /// A core whose depth memory has `pixels` words.
     #[must_use]
     pub fn new(pixels: usize) -> Self {
@@ -140,8 +132,8 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize, const W: us
 }
 
 /// One word per clock: `select` is decoded for all targets.
-impl<const D: usize, const N: usize, const B: usize, const A: usize, const W: usize>
-    load_lanes::Part<OneLane> for QuadraticCore<D, N, B, A, W>
+impl<const D: usize, const N: usize, const B: usize, const A: usize> load_lanes::Part<OneLane>
+    for QuadraticCore<D, N, B, A>
 {
     #[hdl_gen]
     fn update(&mut self) {
@@ -165,8 +157,8 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize, const W: us
 }
 
 /// Several words per clock: each target has its own.
-impl<const D: usize, const N: usize, const B: usize, const A: usize, const W: usize>
-    load_lanes::Part<Lanes> for QuadraticCore<D, N, B, A, W>
+impl<const D: usize, const N: usize, const B: usize, const A: usize> load_lanes::Part<Lanes>
+    for QuadraticCore<D, N, B, A>
 {
     #[hdl_gen]
     fn update(&mut self) {
@@ -189,8 +181,8 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize, const W: us
     }
 }
 
-impl<const D: usize, const N: usize, const B: usize, const A: usize, const W: usize>
-    load_lanes::Part<Rest> for QuadraticCore<D, N, B, A, W>
+impl<const D: usize, const N: usize, const B: usize, const A: usize> load_lanes::Part<Rest>
+    for QuadraticCore<D, N, B, A>
 {
     #[hdl_gen]
     fn update(&mut self) {
@@ -264,5 +256,5 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize, const W: us
     }
 }
 
-crate::lane_core!(QuadraticCore<D, N, B, A, W>, const D: usize, const N: usize, const B: usize, const A: usize, const W: usize;
+crate::lane_core!(QuadraticCore<D, N, B, A>, const D: usize, const N: usize, const B: usize, const A: usize;
     outputs load_ready, valid, x, y, red, green, blue, depth, busy, done);

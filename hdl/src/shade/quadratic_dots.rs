@@ -36,7 +36,7 @@ use rust_hdl_widgets::dff_setup;
 /// `select` is a mask (bit 4 N·L, 5 place in the lobe, 6 material, 7 depth) over a word number (bits 3 to 0); a mask of
 /// zero selects the shell's words, and word 12 the fence.
 #[derive(LogicBlock)]
-pub struct QuadraticDotsCore<const N: usize, const B: usize, const A: usize, const W: usize = 1> {
+pub struct QuadraticDotsCore<const N: usize, const B: usize, const A: usize> {
     /// Clock.
     pub clock: Signal<In, Clock>,
     /// Writes `data` to the selected register words; ignored while `load_ready` is low.
@@ -52,7 +52,7 @@ pub struct QuadraticDotsCore<const N: usize, const B: usize, const A: usize, con
     /// The pixel is taken.
     pub ready: Signal<In, Bit>,
     /// The further lanes of the load port.
-    pub lanes: LanePort<B, W>,
+    pub lanes: LanePort<B>,
     /// Register words may be written.
     pub load_ready: Signal<Out, Bit>,
     /// A visible pixel is offered; held until `ready`.
@@ -109,7 +109,7 @@ pub struct QuadraticDotsCore<const N: usize, const B: usize, const A: usize, con
     stream: Quiet<PixelStream<A>>,
 }
 
-impl<const N: usize, const B: usize, const A: usize, const W: usize> QuadraticDotsCore<N, B, A, W> {
+impl<const N: usize, const B: usize, const A: usize> QuadraticDotsCore<N, B, A> {
     /// A core whose depth memory has `pixels` words.
     #[must_use]
     pub fn new(pixels: usize) -> Self {
@@ -155,8 +155,8 @@ impl<const N: usize, const B: usize, const A: usize, const W: usize> QuadraticDo
 }
 
 /// One word per clock: `select` is decoded for all targets.
-impl<const N: usize, const B: usize, const A: usize, const W: usize> load_lanes::Part<OneLane>
-    for QuadraticDotsCore<N, B, A, W>
+impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<OneLane>
+    for QuadraticDotsCore<N, B, A>
 {
     #[hdl_gen]
     fn update(&mut self) {
@@ -180,8 +180,8 @@ impl<const N: usize, const B: usize, const A: usize, const W: usize> load_lanes:
 }
 
 /// Several words per clock: each target has its own.
-impl<const N: usize, const B: usize, const A: usize, const W: usize> load_lanes::Part<Lanes>
-    for QuadraticDotsCore<N, B, A, W>
+impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<Lanes>
+    for QuadraticDotsCore<N, B, A>
 {
     #[hdl_gen]
     fn update(&mut self) {
@@ -204,8 +204,8 @@ impl<const N: usize, const B: usize, const A: usize, const W: usize> load_lanes:
     }
 }
 
-impl<const N: usize, const B: usize, const A: usize, const W: usize> load_lanes::Part<Rest>
-    for QuadraticDotsCore<N, B, A, W>
+impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<Rest>
+    for QuadraticDotsCore<N, B, A>
 {
     #[hdl_gen]
     fn update(&mut self) {
@@ -302,5 +302,5 @@ impl<const N: usize, const B: usize, const A: usize, const W: usize> load_lanes:
     }
 }
 
-crate::lane_core!(QuadraticDotsCore<N, B, A, W>, const N: usize, const B: usize, const A: usize, const W: usize;
+crate::lane_core!(QuadraticDotsCore<N, B, A>, const N: usize, const B: usize, const A: usize;
     outputs load_ready, valid, x, y, red, green, blue, depth, busy, done);

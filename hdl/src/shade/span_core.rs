@@ -2,7 +2,7 @@
 
 use super::blake::BlakeCore;
 use super::chebyshev::ChebyshevCore;
-use super::device::{by_lanes, Core, DesignVisitor};
+use super::device::{laned, Core, DesignVisitor};
 use super::slerp::SlerpCore;
 use super::span_bound::error_bound;
 use super::spherical::SphericalCore;
@@ -60,17 +60,17 @@ impl SpanKind {
     /// Calls `f` with the description for frame addresses of `A` bits.
     pub(super) fn with_design<const A: usize, R>(self, core: &Core, f: impl DesignVisitor<R>) -> R {
         match self {
-            Self::Slerp => by_lanes!(core, f, SlerpCore, A),
-            Self::Chebyshev => by_lanes!(core, f, ChebyshevCore, A),
-            Self::Blake | Self::BlakeRefit => by_lanes!(core, f, BlakeCore, A),
+            Self::Slerp => laned!(core, f, SlerpCore<A>),
+            Self::Chebyshev => laned!(core, f, ChebyshevCore<A>),
+            Self::Blake | Self::BlakeRefit => laned!(core, f, BlakeCore<A>),
             Self::Spherical(bits) | Self::SphericalPower(bits) => match bits {
-                0..=4 => by_lanes!(core, f, SphericalCore, A, 4, 10, 22, 6),
-                5 => by_lanes!(core, f, SphericalCore, A, 5, 11, 23, 7),
-                6 => by_lanes!(core, f, SphericalCore, A, 6, 12, 24, 8),
-                7 => by_lanes!(core, f, SphericalCore, A, 7, 13, 25, 9),
-                8 => by_lanes!(core, f, SphericalCore, A, 8, 14, 26, 10),
-                9 => by_lanes!(core, f, SphericalCore, A, 9, 15, 27, 11),
-                _ => by_lanes!(core, f, SphericalCore, A, 10, 16, 28, 12),
+                0..=4 => laned!(core, f, Spherical4<A>),
+                5 => laned!(core, f, Spherical5<A>),
+                6 => laned!(core, f, Spherical6<A>),
+                7 => laned!(core, f, Spherical7<A>),
+                8 => laned!(core, f, Spherical8<A>),
+                9 => laned!(core, f, Spherical9<A>),
+                _ => laned!(core, f, Spherical10<A>),
             },
         }
     }

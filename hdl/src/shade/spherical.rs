@@ -33,7 +33,6 @@ pub struct SphericalCore<
     const M: usize,
     const P: usize,
     const H: usize,
-    const W: usize = 1,
 > {
     /// Clock.
     pub clock: Signal<In, Clock>,
@@ -50,7 +49,7 @@ pub struct SphericalCore<
     /// The pixel is taken.
     pub ready: Signal<In, Bit>,
     /// The further lanes of the load port.
-    pub lanes: LanePort<32, W>,
+    pub lanes: LanePort<32>,
     /// Register words may be written.
     pub load_ready: Signal<Out, Bit>,
     /// A visible pixel is offered; held until `ready`.
@@ -107,14 +106,8 @@ pub struct SphericalCore<
     stream: Quiet<LitStream<A>>,
 }
 
-impl<
-        const A: usize,
-        const K: usize,
-        const M: usize,
-        const P: usize,
-        const H: usize,
-        const W: usize,
-    > SphericalCore<A, K, M, P, H, W>
+impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: usize>
+    SphericalCore<A, K, M, P, H>
 {
     /// A core whose depth memory has `pixels` words.
     #[must_use]
@@ -164,14 +157,8 @@ impl<
 }
 
 /// One word per clock: `select` is decoded for all targets.
-impl<
-        const A: usize,
-        const K: usize,
-        const M: usize,
-        const P: usize,
-        const H: usize,
-        const W: usize,
-    > load_lanes::Part<OneLane> for SphericalCore<A, K, M, P, H, W>
+impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: usize>
+    load_lanes::Part<OneLane> for SphericalCore<A, K, M, P, H>
 {
     #[hdl_gen]
     fn update(&mut self) {
@@ -195,14 +182,8 @@ impl<
 }
 
 /// Several words per clock: each target has its own.
-impl<
-        const A: usize,
-        const K: usize,
-        const M: usize,
-        const P: usize,
-        const H: usize,
-        const W: usize,
-    > load_lanes::Part<Lanes> for SphericalCore<A, K, M, P, H, W>
+impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: usize>
+    load_lanes::Part<Lanes> for SphericalCore<A, K, M, P, H>
 {
     #[hdl_gen]
     fn update(&mut self) {
@@ -225,14 +206,8 @@ impl<
     }
 }
 
-impl<
-        const A: usize,
-        const K: usize,
-        const M: usize,
-        const P: usize,
-        const H: usize,
-        const W: usize,
-    > load_lanes::Part<Rest> for SphericalCore<A, K, M, P, H, W>
+impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: usize>
+    load_lanes::Part<Rest> for SphericalCore<A, K, M, P, H>
 {
     #[hdl_gen]
     fn update(&mut self) {
@@ -318,5 +293,5 @@ impl<
     }
 }
 
-crate::lane_core!(SphericalCore<A, K, M, P, H, W>, const A: usize, const K: usize, const M: usize, const P: usize, const H: usize, const W: usize;
+crate::lane_core!(SphericalCore<A, K, M, P, H>, const A: usize, const K: usize, const M: usize, const P: usize, const H: usize;
     outputs load_ready, valid, x, y, red, green, blue, depth, busy, done);
