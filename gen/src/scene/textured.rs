@@ -141,6 +141,7 @@ pub(super) fn order_for(scene: &Scene, order: Order) -> Result<Order, Unsuited> 
                 order,
                 wide: false,
                 pixels: 2,
+                load_words: 1,
             }
             .name(),
             expected: "method gouraud or quadratic",

@@ -2,6 +2,10 @@
 
 use super::model::{EngineInputs, EngineModel};
 use crate::shade::model::{CoreInputs, CoreModel, CoreOutputs, Order};
+use crate::shade::pace::Pace;
+
+/// A register word and its data, if one is written.
+type Received<W> = Option<(W, u64)>;
 
 /// State of both.
 #[derive(Clone, Debug)]
@@ -53,10 +57,14 @@ impl EngineCoreModel {
         self.engine.skipped
     }
 
-    /// One clock edge.
-    pub fn clock(&mut self, i: &CoreInputs) {
-        let engine = self.engine.outputs();
-        let core = self.core.outputs();
+    /// What a clock with these inputs is spent on.
+    #[must_use]
+    pub fn pace(&self, i: &CoreInputs) -> Pace {
+        self.core.pace(&self.passed(i))
+    }
+
+    /// Words for the engine: of a triangle, and of the frame.
+    fn received(&self, i: &CoreInputs) -> (Received<u8>, Received<usize>) {
         let (mask, word) = (i.select >> 4, i.select & 15);
         let frame = mask == 0 && word & 8 != 0;
         let group = match mask.trailing_zeros() {
@@ -66,22 +74,38 @@ impl EngineCoreModel {
             3 => 8,
             _ => 0,
         };
-        let accept = i.write && engine.load_ready;
+        let accept = i.write && self.engine.outputs().load_ready;
         let raw = (accept && !frame).then_some((group | word & 7, i.data));
         let of_frame = (accept && frame).then_some((usize::from(word), i.data));
+        (raw, of_frame)
+    }
+
+    /// What the core receives: the engine's words and the frame's.
+    fn passed(&self, i: &CoreInputs) -> CoreInputs {
+        let engine = self.engine.outputs();
+        let (_, of_frame) = self.received(i);
         let sent = engine.word.or(of_frame.map(|(_, data)| (i.select, data)));
-        if engine.start && core.load_ready {
-            self.drawn.push(self.engine.begun);
-        }
-        self.was_busy = core.busy || engine.busy;
-        self.core.clock(&CoreInputs {
+        CoreInputs {
             write: sent.is_some(),
             select: sent.map_or(0, |s| s.0),
             data: sent.map_or(0, |s| s.1),
             start: engine.start,
             clear: i.clear && !engine.busy,
             ready: i.ready,
-        });
+            ..CoreInputs::default()
+        }
+    }
+
+    /// One clock edge.
+    pub fn clock(&mut self, i: &CoreInputs) {
+        let (engine, core) = (self.engine.outputs(), self.core.outputs());
+        let (raw, of_frame) = self.received(i);
+        if engine.start && core.load_ready {
+            self.drawn.push(self.engine.begun);
+        }
+        self.was_busy = core.busy || engine.busy;
+        let passed = self.passed(i);
+        self.core.clock(&passed);
         self.engine.clock(&EngineInputs {
             write: raw,
             frame: of_frame,

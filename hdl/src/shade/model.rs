@@ -1,5 +1,7 @@
 //! Integer model of a whole core, clock by clock: what the description must do, in plain integers.
 
+use super::lanes::{Lane, MAX_LANES};
+use super::pace::Pace;
 use super::phong::model::{DelayModel, Fragment, PhongModel};
 use super::phong::power::{PLACE_FRACTION_BITS, PLACE_INTEGER_BITS};
 use super::phong::root_model::DuffModel;
@@ -60,6 +62,30 @@ pub struct CoreInputs {
     pub clear: bool,
     /// The pixel is taken.
     pub ready: bool,
+    /// The further lanes of a core that takes several words per clock; idle in the others.
+    pub more: [Lane; MAX_LANES - 1],
+}
+
+impl CoreInputs {
+    /// The word for a target of the registers, 0 the shell, 1 to 4 the bits of the mask: that of the lowest lane.
+    #[must_use]
+    #[inline]
+    pub fn word_for(&self, target: usize) -> Option<(usize, u64)> {
+        let first = Lane {
+            write: self.write,
+            select: self.select,
+            data: self.data,
+        };
+        let mut lanes = std::iter::once(&first).chain(&self.more);
+        let lane = lanes.find(|l| l.writes_to(target))?;
+        Some((usize::from(lane.select & 15), lane.data))
+    }
+
+    /// Register writes in this clock.
+    #[must_use]
+    pub fn writes(&self) -> u64 {
+        u64::from(self.write) + self.more.iter().map(|l| u64::from(l.write)).sum::<u64>()
+    }
 }
 
 /// What a core drives, after the clock edge.
@@ -320,11 +346,9 @@ impl CoreModel {
     }
 
     fn shell_inputs(&self, i: &CoreInputs) -> ShellInputs {
-        let word = usize::from(i.select & 15);
-        let data = i.data & mask(self.bus_bits);
+        let write = i.word_for(0).filter(|_| !self.draining());
         ShellInputs {
-            write: (i.write && i.select >> 4 == 0 && !self.draining())
-                .then_some((word, data & mask(32))),
+            write: write.map(|(word, data)| (word, data & mask(self.bus_bits.min(32)))),
             start: i.start && !self.draining(),
             hold: self.z_buffer.clearing(),
             go: !self.out_valid || i.ready,
@@ -388,6 +412,17 @@ impl CoreModel {
         }
     }
 
+    /// What a clock with these inputs is spent on.
+    #[must_use]
+    pub fn pace(&self, i: &CoreInputs) -> Pace {
+        match (&self.line, &self.span, &self.engine) {
+            (Some(line), _, _) => line.pace(i),
+            (_, Some(span), _) => span.pace(i),
+            (_, _, Some(engine)) => engine.pace(i),
+            _ => self.shell.pace(&self.shell_inputs(i)),
+        }
+    }
+
     /// The accumulators of the pixel registers: red, green, blue, depth codes.
     #[must_use]
     pub fn accumulators(&self) -> [i64; 4] {
@@ -411,17 +446,18 @@ impl CoreModel {
         let busy = self.busy(so.busy);
         let go = si.go;
         let depth_bits = 1 + DEPTH_INTEGER_BITS + DEPTH_FRACTION_BITS;
-        let accept = i.write && so.load_ready && !self.draining();
-        let word = usize::from(i.select & 15);
+        let accept = so.load_ready && !self.draining();
         let textured = self.texture.is_some();
         let write = |channel: usize| {
-            let chosen = match (textured, channel) {
-                (false, _) => i.select >> (4 + channel) & 1 == 1,
+            if !textured {
+                return i.word_for(1 + channel).filter(|_| accept);
+            }
+            let chosen = match channel {
                 // Bit 7 chooses between the colours and the rest, of which depth is the one without a mask.
-                (true, 3) => i.select >> 4 == select::DEPTH >> 4,
-                (true, _) => i.select >> 7 == 0 && i.select >> (4 + channel) & 1 == 1,
+                3 => i.select >> 4 == select::DEPTH >> 4,
+                _ => i.select >> 7 == 0 && i.select >> (4 + channel) & 1 == 1,
             };
-            (accept && chosen).then_some((word, i.data))
+            (accept && i.write && chosen).then_some((usize::from(i.select & 15), i.data))
         };
         let walked = Fragment {
             valid: so.fragment,
@@ -441,9 +477,9 @@ impl CoreModel {
                     let colours = self
                         .colour
                         .map(|c| colour_in(c.value(), self.fraction_bits));
-                    let own = accept.then_some((i.select, i.data));
+                    let own = (accept && i.write).then_some((i.select, i.data));
                     t.clock(own, go, so.controls, colours, walked);
-                    let fence = accept && i.select >> 4 == 0 && word == FENCE_WORD;
+                    let fence = own.is_some() && usize::from(i.select) == FENCE_WORD;
                     t.draining = fence || (t.draining && walking);
                     late
                 }
@@ -467,7 +503,7 @@ impl CoreModel {
                 if go {
                     r.delay.shift(walked);
                 }
-                let fence = accept && i.select >> 4 == 0 && word == FENCE_WORD;
+                let fence = accept && i.word_for(0).is_some_and(|(word, _)| word == FENCE_WORD);
                 r.draining = fence || (r.draining && walking);
                 late
             }
