@@ -18,6 +18,11 @@ fn cores_of_triangles() {
 }
 
 #[test]
+fn core_with_a_set_up_engine() {
+    expected(&[Order::QuadraticEngine]);
+}
+
+#[test]
 fn span_cores() {
     let kinds = [
         SpanKind::Slerp,

@@ -135,6 +135,8 @@ fn the_register_map_is_what_a_host_writes() {
         (Order::Linear, 1024, 768),
         (Order::QuadraticDots, 320, 240),
         (Order::Duff, 320, 240),
+        (Order::QuadraticEngine, 320, 240),
+        (Order::QuadraticEngine, 1024, 768),
     ] {
         let core = Core::for_frame(order, width, height).expect("in range");
         let viewport = Viewport { width, height };

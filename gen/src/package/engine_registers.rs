@@ -68,9 +68,21 @@ pub fn registers() -> Vec<Register> {
             (0, "k0", "colour at vertex 0, LSB"),
             (1, "k1", "colour at vertex 1, LSB"),
             (2, "k2", "colour at vertex 2, LSB"),
-            (4, "k12", "colour in the middle of the edge from 1 to 2, LSB"),
-            (5, "k02", "colour in the middle of the edge from 0 to 2, LSB"),
-            (6, "k01", "colour in the middle of the edge from 0 to 1, LSB"),
+            (
+                4,
+                "k12",
+                "colour in the middle of the edge from 1 to 2, LSB",
+            ),
+            (
+                5,
+                "k02",
+                "colour in the middle of the edge from 0 to 2, LSB",
+            ),
+            (
+                6,
+                "k01",
+                "colour in the middle of the edge from 0 to 1, LSB",
+            ),
         ] {
             all.push(knot(channel, word, (11, KNOT_FRACTION_BITS)));
         }

@@ -89,7 +89,9 @@ pub fn registers(core: &Core) -> Vec<Register> {
         Order::Linear | Order::Line(_) | Order::Span(_) => {
             &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, plane))[..]
         }
-        Order::Quadratic | Order::QuadraticEngine => &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, quadric)),
+        Order::Quadratic | Order::QuadraticEngine => {
+            &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, quadric))
+        }
         Order::QuadraticDots => &[("light", 1), ("lobe", 2)].map(|c| (c, quadric)),
         Order::Duff => &[
             (("light", 1), plane),

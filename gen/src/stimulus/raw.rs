@@ -23,10 +23,7 @@ pub(super) fn raw_words(
     let bus = |code: i64| code as u64 & ((1 << RAW_BITS) - 1);
     let mut writes = vec![];
     for (i, p) in (0u8..).zip(t.position) {
-        writes.extend([
-            (i, bus(i64::from(p.x))),
-            (4 | i, bus(i64::from(p.y))),
-        ]);
+        writes.extend([(i, bus(i64::from(p.x))), (4 | i, bus(i64::from(p.y)))]);
     }
     if t.knots.len() != 6 {
         let n = t.knots.len();

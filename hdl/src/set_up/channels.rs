@@ -4,7 +4,7 @@
 //! `inverse` 43, `square` 47; slopes per n have 52 and words 36.
 
 use super::instruction::{Constant, Exponent, Function};
-use super::program::{Writer, Y, SLOT_COLOUR, SLOT_DEPTH};
+use super::program::{Writer, SLOT_COLOUR, SLOT_DEPTH, Y};
 use super::schedule::{Value, X};
 
 /// What all channels of a triangle share.

@@ -44,9 +44,7 @@ impl EngineCoreModel {
     pub fn ordinal(&self) -> u64 {
         let of_core = self.core.ordinal() as usize;
         let before = of_core.checked_sub(1);
-        before
-            .and_then(|i| self.drawn.get(i).copied())
-            .unwrap_or(0)
+        before.and_then(|i| self.drawn.get(i).copied()).unwrap_or(0)
     }
 
     /// Triangles that the engine skipped.
@@ -71,9 +69,7 @@ impl EngineCoreModel {
         let accept = i.write && engine.load_ready;
         let raw = (accept && !frame).then_some((group | word & 7, i.data));
         let of_frame = (accept && frame).then_some((usize::from(word), i.data));
-        let sent = engine
-            .word
-            .or(of_frame.map(|(_, data)| (i.select, data)));
+        let sent = engine.word.or(of_frame.map(|(_, data)| (i.select, data)));
         if engine.start && core.load_ready {
             self.drawn.push(self.engine.begun);
         }

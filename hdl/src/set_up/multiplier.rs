@@ -7,9 +7,7 @@
 //! The product is exact. It is then x·y·2^(64 − 16(limbs − 1) − places) modulo 2^64, rounded down.
 
 use super::instruction::Exponent;
-use crate::format::{
-    bit_cast_u, signed_cast_align, signed_cast_bits, signed_cast_product, Q, U,
-};
+use crate::format::{bit_cast_u, signed_cast_align, signed_cast_bits, signed_cast_product, Q, U};
 use crate::simulate::{Register, Wire};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
@@ -148,7 +146,9 @@ impl Logic for Multiplier {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("name set_up_multiplier");
-        comment!("title Shared multiplier: 25 by 16 bits a clock, a running total, a shifter behind it.");
+        comment!(
+            "title Shared multiplier: 25 by 16 bits a clock, a running total, a shifter behind it."
+        );
         comment!("equation product = floor(x y 2^(64 - 16 (limbs - 1) - places)) mod 2^64");
         comment!("source Schoolbook multiplication, low limb first.");
         comment!("latency Four clocks and one per limb from start to product.");
@@ -339,7 +339,11 @@ impl MultiplierModel {
     /// One clock: x, y, limbs of y, places, exponent.
     pub fn clock(&mut self, start: Option<(i64, i64, u8, u8, Exponent)>, exponent: u8) {
         if let Some(fine) = self.fine {
-            let whole = self.window.iter().rev().fold(0u128, |v, p| v << 16 | u128::from(*p));
+            let whole = self
+                .window
+                .iter()
+                .rev()
+                .fold(0u128, |v, p| v << 16 | u128::from(*p));
             self.product = (whole >> fine) as i64;
         }
         self.fine = self.total_done.map(|places| {

@@ -449,8 +449,8 @@ fn write() -> Vec<Instruction> {
     w.send_edge(of(&lower), 8);
     // Without an upper part the lower edge is the one to begin with.
     let (lower, upper) = (of(&lower), of(&upper));
-    let first =
-        [0, 1, 2, 3, 4].map(|i| w.choice(Flag::NoUpper, no_upper, X::Of(lower[i]), Y::Of(upper[i])));
+    let first = [0, 1, 2, 3, 4]
+        .map(|i| w.choice(Flag::NoUpper, no_upper, X::Of(lower[i]), Y::Of(upper[i])));
     w.send_edge(first, 5);
     for channel in 0..3 {
         colour(&mut w, &lattice, channel);

@@ -142,9 +142,9 @@ impl Builder {
                     .all(|(before, wait)| clocks[*before].is_some_and(|c| c + wait <= at))
             };
             let users = |d: usize| {
-                self.operations.iter().enumerate().filter(move |(_, o)| {
-                    matches!(o.x, X::Quotient(v) | X::Remainder(v) if v.0 == d)
-                })
+                self.operations.iter().enumerate().filter(
+                    move |(_, o)| matches!(o.x, X::Quotient(v) | X::Remainder(v) if v.0 == d),
+                )
             };
             if !taken.contains(&t) {
                 let found = order.iter().copied().find(|&i| {
@@ -155,7 +155,9 @@ impl Builder {
                     }
                     if let Some(taker) = takers[i] {
                         let at = t + PRODUCT + self.limbs(i);
-                        return t >= multiplier && !taken.contains(&at) && ready(taker, at, &clocks);
+                        return t >= multiplier
+                            && !taken.contains(&at)
+                            && ready(taker, at, &clocks);
                     }
                     if o.instruction.divide.is_some() {
                         return division

@@ -199,10 +199,9 @@ impl Core {
         let n = f64::from(run);
         let words = match self.order {
             Order::Linear | Order::Line(_) | Order::Span(_) => 1.0 + n,
-            Order::Quadratic
-            | Order::QuadraticEngine
-            | Order::QuadraticDots
-            | Order::Duff => 1.0 + n * (n + 1.0) / 2.0,
+            Order::Quadratic | Order::QuadraticEngine | Order::QuadraticDots | Order::Duff => {
+                1.0 + n * (n + 1.0) / 2.0
+            }
         };
         let unit = words / 2f64.powi(self.fraction_bits() as i32 + 1);
         match self.order {

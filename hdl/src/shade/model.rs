@@ -151,9 +151,7 @@ fn interpolant_bits(order: Order, fraction_bits: usize) -> [usize; 3] {
         | Order::Quadratic
         | Order::QuadraticEngine
         | Order::Line(_)
-        | Order::Span(_) => {
-            [1 + COLOUR_INTEGER_BITS + fraction_bits; 3]
-        }
+        | Order::Span(_) => [1 + COLOUR_INTEGER_BITS + fraction_bits; 3],
         Order::QuadraticDots => [
             1 + LIGHT_INTEGER_BITS + LIGHT_FRACTION_BITS + fraction_bits,
             1 + PLACE_INTEGER_BITS + PLACE_FRACTION_BITS + fraction_bits,

@@ -75,7 +75,9 @@ pub struct QuadraticEngineCore<const D: usize, const N: usize, const B: usize, c
     core: Quiet<QuadraticCore<D, N, B, A>>,
 }
 
-impl<const D: usize, const N: usize, const B: usize, const A: usize> QuadraticEngineCore<D, N, B, A> {
+impl<const D: usize, const N: usize, const B: usize, const A: usize>
+    QuadraticEngineCore<D, N, B, A>
+{
     /// A core whose depth memory has `pixels` words.
     #[must_use]
     pub fn new(pixels: usize) -> Self {
@@ -121,7 +123,9 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
         comment!("name quadratic_engine_core");
         comment!("title Quadratic shading core with its own set-up: raw triangles in, pixels out.");
         comment!("equation I(x, y) = T5 x^2 + T4 x y + T3 y^2 + T2 x + T1 y + T0 per channel, through six knots");
-        comment!("source Abbas 2003, chapter 7; set-up after Hast 2004, section 3.3, by set_up_engine.");
+        comment!(
+            "source Abbas 2003, chapter 7; set-up after Hast 2004, section 3.3, by set_up_engine."
+        );
         comment!("latency The engine's clocks and five from start to the first pixel; then one pixel per clock.");
         dff_setup!(self, clock, was_busy);
         self.accept.next = self.write.val() && self.engine.load_ready.val();
