@@ -2,7 +2,9 @@
 
 use crate::args::Global;
 use crate::measures::duration;
-use crate::names::{check_names, cores, drawing_of, engines, Drawing, Offer};
+use crate::names::{
+    all_cores, check_names, cores, drawing_of, engines, set_up, set_ups, Drawing, Offer,
+};
 use crate::outcome::{Exit, Failure, Outcome, Report};
 use crate::progress::Progress;
 use crate::{output, size};
@@ -10,9 +12,10 @@ use anstyle::{AnsiColor, Style};
 use clap::Args;
 use serde_json::Value;
 use shadegate_gen::package::PackageError;
+use shadegate_gen::scene::SetUp;
 use shadegate_gen::stimulus::StimulusOptions;
 use shadegate_reference::scene;
-use shadegate_testbench::cosim::{cosim, CosimError, CosimOptions, CosimReport, ErrorReport};
+use shadegate_testbench::cosim::{cosim_by, CosimError, CosimOptions, CosimReport, ErrorReport};
 use shadegate_testbench::engine::{Engine, EngineError, Wave};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -30,8 +33,11 @@ pub struct CosimArgs {
     #[arg(long, value_parser = Offer(cores))]
     method: Option<String>,
     /// Core [default: the one of the method]
-    #[arg(long, value_parser = Offer(cores))]
+    #[arg(long, value_parser = Offer(all_cores))]
     core: Option<String>,
+    /// Who sets triangles up: the host, or an engine in front of the core [default: host]
+    #[arg(long, value_parser = Offer(set_ups), value_name = "BY")]
+    set_up: Option<String>,
     /// What simulates: compiled the netlist, rust-hdl the description itself, the others the emitted Verilog
     #[arg(long, value_parser = Offer(engines), default_value = "compiled")]
     engine: String,
@@ -66,6 +72,7 @@ pub fn run(a: &CosimArgs, global: Global) -> Outcome {
     let engine: Engine = a.engine.parse().map_err(Failure::input)?;
     // The names are checked before the scene is read; the scene's own method only matters without them.
     check_names(a.method.as_deref(), a.core.as_deref())?;
+    let by = set_up(a.set_up.as_deref(), a.core.as_deref())?;
     let size = a.size.as_deref().map(size::parse).transpose()?;
     let wave = wave(a, engine)?;
     a.output.as_deref().map(output::folder).transpose()?;
@@ -73,11 +80,14 @@ pub fn run(a: &CosimArgs, global: Global) -> Outcome {
     let mut scene = scene::load(&a.scene).map_err(Failure::input)?;
     let drawing = drawing_of(a.method.as_deref(), a.core.as_deref(), &mut scene)?;
     let name = drawing.name();
+    let suffix = match by {
+        SetUp::Host => "",
+        SetUp::Engine => "-engine",
+    };
     progress.say(format!("{name} draws {} in {engine}", scene.name));
-    let folder = a
-        .output
-        .clone()
-        .unwrap_or_else(|| Path::new("out").join(format!("{}-{name}-{engine}", scene.name)));
+    let folder = a.output.clone().unwrap_or_else(|| {
+        Path::new("out").join(format!("{}-{name}{suffix}-{engine}", scene.name))
+    });
     let options = CosimOptions {
         method: match drawing {
             Drawing::Shaded(method) => method,
@@ -92,9 +102,9 @@ pub fn run(a: &CosimArgs, global: Global) -> Outcome {
             load_words: a.load_words,
             ..StimulusOptions::default()
         },
-        command: command(a, name, engine, size),
+        command: command(a, name, by, engine, size),
     };
-    let report = cosim(&scene, &options).map_err(failure)?;
+    let report = cosim_by(&scene, &options, by).map_err(failure)?;
     drop(progress);
     let exit = if report.holds() {
         Exit::Done
@@ -149,7 +159,13 @@ fn wave(a: &CosimArgs, engine: Engine) -> Result<Option<Wave>, Failure> {
 }
 
 /// The command that does this again.
-fn command(a: &CosimArgs, method: &str, engine: Engine, size: Option<(u32, u32)>) -> String {
+fn command(
+    a: &CosimArgs,
+    method: &str,
+    by: SetUp,
+    engine: Engine,
+    size: Option<(u32, u32)>,
+) -> String {
     let scene = a.scene.to_string_lossy();
     let plain = |c: char| c.is_ascii_alphanumeric() || "/._-".contains(c);
     let scene = if scene.chars().all(plain) {
@@ -160,8 +176,12 @@ fn command(a: &CosimArgs, method: &str, engine: Engine, size: Option<(u32, u32)>
     let size = size.map(|(w, h)| format!(" --size {w}x{h}"));
     let lanes = (a.load_words > 1).then(|| format!(" --load-words {}", a.load_words));
     let all = a.all_words.then_some(" --all-words");
+    let by = match by {
+        SetUp::Host => "",
+        SetUp::Engine => " --set-up engine",
+    };
     format!(
-        "shadegate cosim {scene} --method {method} --engine {engine}{}{}{}",
+        "shadegate cosim {scene} --method {method}{by} --engine {engine}{}{}{}",
         size.unwrap_or_default(),
         lanes.unwrap_or_default(),
         all.unwrap_or_default()
@@ -294,7 +314,7 @@ mod tests {
         let again = |scene: &str, more: &[&str]| {
             let words = ["cosim", scene].into_iter().chain(more.iter().copied());
             let a = Only::parse_from(words).args;
-            command(&a, "gouraud", Engine::Icarus, Some((8, 6)))
+            command(&a, "gouraud", SetUp::Host, Engine::Icarus, Some((8, 6)))
         };
         assert_eq!(
             again("scenes/a.toml", &[]),

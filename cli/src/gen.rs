@@ -3,7 +3,8 @@
 use crate::args::Global;
 use crate::cosim::failure;
 use crate::names::{
-    boards, check_names, cores, devices, drawing, drawing_of, wrappers, Drawing, Offer,
+    all_cores, boards, check_names, cores, devices, drawing, drawing_of, set_up, set_ups, wrappers,
+    Drawing, Offer,
 };
 use crate::outcome::{Failure, Outcome, Report};
 use crate::progress::Progress;
@@ -12,13 +13,14 @@ use clap::Args;
 use serde_json::Value;
 use shadegate_constraints::{board, device};
 use shadegate_gen::package::{package_with, rtl_with, Options, Package, Target};
+use shadegate_gen::scene::SetUp;
 use shadegate_gen::stimulus::{sample as sample_stimulus, StimulusOptions};
 use shadegate_gen::vectors::Trace;
 use shadegate_gen::wrapper::Wrapper;
 use shadegate_gen::write::write_file;
 use shadegate_reference::raster::Viewport;
 use shadegate_reference::scene;
-use shadegate_testbench::cosim::{prelude, CosimError};
+use shadegate_testbench::cosim::{prelude_by, CosimError};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -35,7 +37,7 @@ const SAMPLE: (usize, u64) = (24, 1);
 #[command(group(clap::ArgGroup::new("place").args(["target", "board"])))]
 pub struct GenArgs {
     /// Core
-    #[arg(value_parser = Offer(cores))]
+    #[arg(value_parser = Offer(all_cores))]
     core: Option<String>,
     /// Scene that the core is to draw: its frame size, its method, its vectors
     #[arg(long, value_name = "FILE")]
@@ -49,6 +51,9 @@ pub struct GenArgs {
     /// Shading method, one that has a core [default: the scene's]
     #[arg(long, value_parser = Offer(cores), requires = "scene")]
     method: Option<String>,
+    /// Who sets triangles up: the host, or an engine in front of the core [default: host]
+    #[arg(long, value_parser = Offer(set_ups), value_name = "BY")]
+    set_up: Option<String>,
     /// Frame size [default: the scene's, or 320x240]
     #[arg(long, value_name = "WxH")]
     size: Option<String>,
@@ -79,20 +84,28 @@ pub fn run(a: &GenArgs, global: Global) -> Outcome {
         target,
         wrappers: &wrappers,
     };
+    let by = set_up(a.set_up.as_deref(), a.core.as_deref())?;
     let size = a.size.as_deref().map(size::parse).transpose()?;
     a.output.as_deref().map(output::folder).transpose()?;
     let progress = Progress::new("generating", global);
     let (package, name) = match (&a.scene, &a.core) {
-        (Some(file), _) => of_scene(file, a, size, &options)?,
+        (Some(file), _) => of_scene(file, a, by, size, &options)?,
         (None, Some(name)) if name.ends_with(".toml") => {
             return Err(Failure::input(format!(
                 "'{name}' is not a core; for a scene: shadegate gen --scene {name}"
             )));
         }
-        (None, Some(name)) => (
-            sample(drawing(name)?, size.unwrap_or(FRAME), &options, a)?,
-            format!("{name}-core"),
-        ),
+        (None, Some(name)) => {
+            let frame = size.unwrap_or(FRAME);
+            let drawing = drawing(name)?;
+            let package = sample(drawing, by, frame, &options, a)?;
+            let name = match by {
+                SetUp::Host => name,
+                SetUp::Engine => &package.manifest.core,
+            };
+            let folder = format!("{name}-core");
+            (package, folder)
+        }
         // clap demands one of them.
         (None, None) => return Err(Failure::input("expected a core or --scene FILE")),
     };
@@ -150,6 +163,7 @@ fn target(a: &GenArgs) -> Result<Option<Target<'static>>, Failure> {
 fn of_scene(
     file: &Path,
     a: &GenArgs,
+    by: SetUp,
     size: Option<(u32, u32)>,
     options: &Options,
 ) -> Result<(Package, String), Failure> {
@@ -165,8 +179,12 @@ fn of_scene(
         load_words: a.load_words,
         ..StimulusOptions::default()
     };
-    let p = prelude(&scene, method, size, &stimulus).map_err(failure)?;
-    let name = format!("{}-{}-core", scene.name, drawing.name());
+    let p = prelude_by(&scene, method, by, size, &stimulus).map_err(failure)?;
+    let name = match by {
+        SetUp::Host => drawing.name(),
+        SetUp::Engine => p.trace.core.name(),
+    };
+    let name = format!("{}-{name}-core", scene.name);
     if options.target.is_none() && options.wrappers.is_empty() && !a.reset {
         return Ok((p.package, name));
     }
@@ -177,23 +195,20 @@ fn of_scene(
 /// A core by itself, with vectors that exercise all of it.
 fn sample(
     drawing: Drawing,
+    by: SetUp,
     frame: (u32, u32),
     options: &Options,
     a: &GenArgs,
 ) -> Result<Package, Failure> {
     let (width, height) = frame;
-    let core = drawing.core(width, height).map_err(failure)?;
+    let core = drawing.core_by(by, width, height).map_err(failure)?;
     let core = core.with_load_words(a.load_words).map_err(Failure::input)?;
     let viewport = Viewport { width, height };
     let (count, seed) = SAMPLE;
     let stimulus = sample_stimulus(&core, viewport, count, seed)
         .map_err(|e| failure(CosimError::Stimulus(e)))?;
-    pack(
-        &Trace::record(core, &stimulus, |_| true),
-        frame,
-        options,
-        a.reset,
-    )
+    let trace = Trace::record(core, &stimulus, |_| true);
+    pack(&trace, frame, options, a.reset)
 }
 
 fn pack(

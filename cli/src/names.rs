@@ -3,7 +3,8 @@
 use crate::outcome::Failure;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
-use shadegate_gen::scene::{order_for, order_of, BY_SCENE, CORES, LINES, TEXTURED};
+use shadegate_gen::scene::{method_of, order_for, order_of, SetUp};
+use shadegate_gen::scene::{BY_SCENE, CORES, ENGINES, LINES, TEXTURED};
 use shadegate_gen::wrapper::Wrapper;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
@@ -11,7 +12,7 @@ use shadegate_reference::antialias::Antialias;
 use shadegate_reference::line::LineFilter;
 use shadegate_reference::method::UnknownName;
 use shadegate_reference::{Method, Scene};
-use shadegate_testbench::cosim::{core_for, is_wireframe, line_core_for, CosimError};
+use shadegate_testbench::cosim::{core_for, is_wireframe, line_core_for, with_set_up, CosimError};
 use shadegate_testbench::engine::Engine;
 use shadegate_testbench::synthesis::Router;
 use std::ffi::OsStr;
@@ -47,7 +48,7 @@ pub fn antialiasing() -> Vec<&'static str> {
     Antialias::ALL.map(Antialias::name).to_vec()
 }
 
-/// Names of the cores; the method, or the filter of lines, that a core draws has the same name.
+/// Names of the cores that the host sets up; the method, or the filter of lines, that a core draws has the same name.
 pub fn cores() -> Vec<&'static str> {
     let triangles = CORES.iter().chain(&BY_SCENE).map(|c| c.0);
     let lines = LINES.iter().map(|l| l.0);
@@ -65,6 +66,13 @@ fn by_scene(name: &str) -> Option<Order> {
     let lit = BY_SCENE.iter().map(|c| (c.0, c.1));
     let found = lit.chain(TEXTURED).find(|c| c.0 == name);
     found.map(|c| c.1)
+}
+
+/// Names of all cores.
+pub fn all_cores() -> Vec<&'static str> {
+    let mut all = cores();
+    all.extend(ENGINES.map(|e| e.0));
+    all
 }
 
 /// Engines of the co-simulation.
@@ -103,9 +111,34 @@ pub fn method(name: &str) -> Result<Method, Failure> {
 /// The method that the core of this name draws.
 pub fn core(name: &str) -> Result<Method, Failure> {
     let known = CORES.iter().chain(&BY_SCENE).find(|c| c.0 == name);
+    let known = known.map(|c| c.2);
+    let engine = ENGINES.iter().find(|e| e.0 == name);
     known
-        .map(|c| c.2)
-        .ok_or_else(|| Failure::input(UnknownName::new("core", name, &cores())))
+        .or(engine.map(|e| method_of(e.1)))
+        .ok_or_else(|| Failure::input(UnknownName::new("core", name, &all_cores())))
+}
+
+/// Who sets triangles up: what the user says of it, or else what the core's name says.
+pub fn set_up(named: Option<&str>, core_name: Option<&str>) -> Result<SetUp, Failure> {
+    let engine = core_name.is_some_and(|c| ENGINES.iter().any(|e| e.0 == c));
+    match (named, engine) {
+        (None, false) | (Some("host"), false) => Ok(SetUp::Host),
+        (None, true) | (Some("engine"), _) => Ok(SetUp::Engine),
+        (Some("host"), true) => Err(Failure::input(format!(
+            "core '{}' has a set-up engine; leave out --set-up host",
+            core_name.unwrap_or_default()
+        ))),
+        (Some(other), _) => Err(Failure::input(UnknownName::new(
+            "set-up",
+            other,
+            &set_ups(),
+        ))),
+    }
+}
+
+/// Who can set triangles up.
+pub fn set_ups() -> Vec<&'static str> {
+    SetUp::ALL.map(SetUp::name).to_vec()
 }
 
 /// Refuses methods that only software draws.
@@ -144,8 +177,13 @@ impl Drawing {
         }
     }
 
+    /// Its core for a frame, set up by the host or by an engine.
+    pub fn core_by(self, set_up: SetUp, width: u32, height: u32) -> Result<Core, CosimError> {
+        with_set_up(self.core(width, height)?, set_up)
+    }
+
     /// Its core for a frame.
-    pub fn core(self, width: u32, height: u32) -> Result<Core, CosimError> {
+    fn core(self, width: u32, height: u32) -> Result<Core, CosimError> {
         match self {
             Self::Shaded(method) => core_for(method, width, height),
             Self::Lines(filter) => line_core_for(filter, width, height),
@@ -278,12 +316,31 @@ mod tests {
             core("goraud").unwrap_err().message,
             format!(
                 "unknown core 'goraud'; the nearest is 'gouraud' of {}",
-                cores().join(", ")
+                all_cores().join(", ")
             )
         );
         assert_eq!(
             with_core(Method::Flat).unwrap_err().message,
             format!("method 'flat' has no core; cores: {}", cores().join(", "))
+        );
+    }
+
+    #[test]
+    fn engines_are_cores_too() {
+        for (name, order, of) in ENGINES {
+            assert_eq!(drawing(name).unwrap(), Drawing::Shaded(method_of(of)));
+            assert_eq!(SetUp::Engine.of(of), Some(order));
+            assert_eq!(set_up(None, Some(name)).unwrap(), SetUp::Engine);
+            assert!(set_up(Some("host"), Some(name)).is_err());
+        }
+        assert_eq!(set_up(None, Some("quadratic")).unwrap(), SetUp::Host);
+        assert_eq!(
+            set_up(Some("engine"), Some("quadratic")).unwrap(),
+            SetUp::Engine
+        );
+        assert_eq!(
+            set_up(Some("motor"), None).unwrap_err().message,
+            "unknown set-up 'motor'; the nearest is 'host' of host, engine"
         );
     }
 

@@ -27,6 +27,11 @@ fn textured_cores() {
 }
 
 #[test]
+fn core_with_a_set_up_engine() {
+    expected(&[Order::QuadraticEngine]);
+}
+
+#[test]
 fn span_cores() {
     let kinds = [
         SpanKind::Slerp,

@@ -147,6 +147,7 @@ fn sent(glint: Glint, size: (u32, u32), triangles: &[Triangle], skip: bool) -> S
     let options = StimulusOptions {
         skip_unchanged: skip,
         broadcast: true,
+        ..Default::default()
     };
     let (width, height) = size;
     let view = Viewport { width, height };

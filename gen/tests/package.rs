@@ -139,12 +139,15 @@ fn the_register_map_is_what_a_host_writes() {
         (Order::Duff, 320, 240),
         (Order::Glint(Glint::Kappa), 320, 240),
         (Order::Glint(Glint::Spot), 320, 240),
+        (Order::QuadraticEngine, 320, 240),
+        (Order::QuadraticEngine, 1024, 768),
     ] {
         let core = Core::for_frame(order, width, height).expect("in range");
         let viewport = Viewport { width, height };
         let options = StimulusOptions {
             skip_unchanged: false,
             broadcast: false,
+            ..Default::default()
         };
         let triangles = sample_triangles(order, viewport, 200, 3);
         let stimulus = build(&core, &triangles, viewport, &options).expect("in range");
@@ -191,6 +194,7 @@ fn the_register_map_of_textured_cores() {
     let options = StimulusOptions {
         skip_unchanged: false,
         broadcast: false,
+        ..Default::default()
     };
     for (name, order) in TEXTURED {
         let core = Core::for_frame(order, 320, 240).expect("in range");

@@ -188,6 +188,7 @@ fn a_triangle_started_while_clearing_is_drawn_afterwards() {
             start: true,
             clear: true,
             ready: true,
+            ..CoreInputs::default()
         });
         let trace = m.draw(&[], |_| true);
         assert_eq!(taken(&trace, |_| true), large(7).drawn(m.kind, m.size));
@@ -210,6 +211,7 @@ fn done_pulses_once_per_idle_transition() {
                     start: n == words.len() - 1,
                     clear: false,
                     ready: true,
+                    ..CoreInputs::default()
                 });
                 trace.push(m.outputs());
             }

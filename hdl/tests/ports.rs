@@ -44,10 +44,15 @@ use shadegate_hdl::lit::table_memory::TableMemory;
 use shadegate_hdl::raster::edge_walk::EdgeWalk;
 use shadegate_hdl::raster::shell::Shell;
 use shadegate_hdl::raster::span_shell::SpanShell;
+use shadegate_hdl::set_up::divider::Divider;
+use shadegate_hdl::set_up::engine::SetUpEngine;
+use shadegate_hdl::set_up::multiplier::Multiplier;
+use shadegate_hdl::set_up::program_rom::ProgramRom;
 use shadegate_hdl::shade::blake::BlakeCore;
 use shadegate_hdl::shade::chebyshev::ChebyshevCore;
 use shadegate_hdl::shade::device::{
-    DuffNarrow, GouraudNarrow, KappaNarrow, QuadraticDotsNarrow, QuadraticNarrow, SpotNarrow,
+    DuffNarrow, GouraudNarrow, KappaNarrow, QuadraticDotsNarrow, QuadraticEngineNarrow,
+    QuadraticNarrow, SpotNarrow,
 };
 use shadegate_hdl::shade::phong::colour::PhongColour;
 use shadegate_hdl::shade::phong::cosine::Cosine;
@@ -119,6 +124,11 @@ fn every_description_lists_its_ports() {
     check_ports(&SpotNarrow::new(1200)).unwrap();
     check_ports(&DuffNarrow::new(1200)).unwrap();
     check_ports(&QuadraticDotsNarrow::new(1200)).unwrap();
+    check_ports(&QuadraticEngineNarrow::new(1200)).unwrap();
+    check_ports(&SetUpEngine::<20, 32>::default()).unwrap();
+    check_ports(&Multiplier::default()).unwrap();
+    check_ports(&Divider::default()).unwrap();
+    check_ports(&ProgramRom::default()).unwrap();
 }
 
 #[test]

@@ -67,6 +67,7 @@ fn noise(order: Order, (width, height): (u32, u32), clocks: usize) -> Trace {
         pixels: vec![],
         cycles: 0,
         writes: 0,
+        spent: Default::default(),
     };
     for clock in 0..clocks {
         let select: u8 = if r.random() {

@@ -2,7 +2,7 @@
 
 use super::Section;
 use serde_json::json;
-use shadegate_gen::scene::{BY_SCENE, CORES, LINES, TEXTURED};
+use shadegate_gen::scene::{BY_SCENE, CORES, ENGINES, LINES, TEXTURED};
 use shadegate_hdl::shade::device::{Core, MAX_HEIGHT, MAX_WIDTH, NARROW_RUN, WIDE_RUN};
 
 /// Every core in its narrow and its wide format.
@@ -17,7 +17,8 @@ pub fn cores() -> Section {
     ]);
     let triangles = CORES.iter().chain(&BY_SCENE).map(|c| (c.0, c.1));
     let lines = LINES.iter().map(|l| (l.0, l.1));
-    for (name, order) in triangles.chain(TEXTURED).chain(lines) {
+    let engines = ENGINES.iter().map(|e| (e.0, e.1));
+    for (name, order) in triangles.chain(TEXTURED).chain(lines).chain(engines) {
         for (wide, run) in [(false, NARROW_RUN), (true, WIDE_RUN)] {
             let core = Core {
                 order,

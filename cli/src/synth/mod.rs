@@ -4,7 +4,7 @@ mod subject;
 mod text;
 
 use crate::args::Global;
-use crate::names::{cores, devices, routers, Offer};
+use crate::names::{all_cores, cores, devices, routers, Offer};
 use crate::outcome::{Failure, Outcome, Report};
 use crate::progress::Progress;
 use crate::{output, size};
@@ -29,7 +29,7 @@ use text::text;
 )]
 pub struct SynthArgs {
     /// Core
-    #[arg(value_parser = Offer(cores))]
+    #[arg(value_parser = Offer(all_cores))]
     core: Option<String>,
     /// Scene that the core is to draw: its frame size, its method
     #[arg(long, value_name = "FILE")]

@@ -2,7 +2,7 @@
 
 use super::SynthArgs;
 use crate::cosim::failure;
-use crate::names::{check_names, drawing, drawing_of, Drawing};
+use crate::names::{check_names, drawing, drawing_of, set_up, Drawing};
 use crate::outcome::Failure;
 use serde_json::{json, Value};
 use shadegate_gen::package::{rtl, PackageFile};
@@ -61,7 +61,8 @@ pub fn subject(a: &SynthArgs, size: Option<(u32, u32)>) -> Result<Subject, Failu
         (None, None) => return Err(Failure::input("expected a core or --scene FILE")),
     };
     let (width, height) = size.unwrap_or(scene_size);
-    let core = drawn.core(width, height).map_err(failure)?;
+    let by = set_up(None, a.core.as_deref())?;
+    let core = drawn.core_by(by, width, height).map_err(failure)?;
     let rtl = rtl(&core).map_err(|e| failure(CosimError::Package(e)))?;
     let file = |f: &VerilogFile| PackageFile {
         path: format!("rtl/{}", f.file_name()),

@@ -2,7 +2,7 @@
 //!
 //! # Range
 //! *Whole*: (x + 4096·y) / y with 0 ≤ x + 4096·y < 2^14·y, y < 2^20: 14 bits, whose low 12 are those of ⌊x / y⌋.
-//! *Fraction*: 1 / y, 1 ≤ y: 43 fraction bits. *Reciprocal*: 1 / y, y < 2^42: the leading 24 bits q and the number e of
+//! *Fraction*: 1 / y, 1 ≤ y: 43 fraction bits. *Reciprocal*: 1 / y, 1 ≤ y ≤ 2^40: the leading 24 bits q and the number e of
 //! zeros before them, 1/y = q·2^(−23−e), short by less than 2^−23 of itself. The remainder is below 2·y·2^13 throughout.
 //! Other operands (an edge that no row meets) give a quotient that nobody reads, in as many clocks.
 

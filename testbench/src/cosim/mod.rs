@@ -16,8 +16,8 @@ use crate::engine::{run, Engine, EngineError, Wave};
 use frames::Frames;
 use shadegate_gen::package::{package, rtl, Package, PackageError};
 use shadegate_gen::scene::{
-    self, drawable, line_order, order_for, order_of, suited, triangles_for, Undrawable, Unsuited,
-    CORES,
+    self, drawable, line_order, order_for, order_of, suited, triangles_for, SetUp, Undrawable,
+    Unsuited, CORES,
 };
 use shadegate_gen::spans::{self, Refused};
 use shadegate_gen::stimulus::{build, build_lines, Line, StimulusError, StimulusOptions};
@@ -72,6 +72,9 @@ pub enum CosimError {
     /// The method has no core.
     #[error("method '{0}' has no core; methods with a core: {cores}", cores = methods_with_core())]
     NoCore(Method),
+    /// The core has no set-up engine.
+    #[error("core '{0}' has no set-up engine; expected a method that has one: quadratic")]
+    NoEngine(&'static str),
     /// Edges and faces.
     #[error("object[{wireframe}] of the scene is a wireframe and object[{shaded}] is shaded, and no core draws both; expected the same draw for every object")]
     Mixture {
@@ -146,6 +149,17 @@ pub fn scene_core_for(
     Core::for_frame(order, width, height).ok_or(CosimError::TooLarge { width, height })
 }
 
+/// The core that draws the same with another set-up.
+///
+/// # Errors
+/// Cores without a set-up engine.
+pub fn with_set_up(core: Core, set_up: SetUp) -> Result<Core, CosimError> {
+    let order = set_up
+        .of(core.order)
+        .ok_or(CosimError::NoEngine(core.name()))?;
+    Ok(Core { order, ..core })
+}
+
 /// The core for a filter of lines and a frame.
 ///
 /// # Errors
@@ -199,6 +213,20 @@ pub fn prelude(
     size: Option<(u32, u32)>,
     stimulus: &StimulusOptions,
 ) -> Result<Prelude, CosimError> {
+    prelude_by(scene, method, SetUp::Host, size, stimulus)
+}
+
+/// [`prelude`] with the host or an engine to set triangles up.
+///
+/// # Errors
+/// See [`CosimError`].
+pub fn prelude_by(
+    scene: &Scene,
+    method: Method,
+    set_up: SetUp,
+    size: Option<(u32, u32)>,
+    stimulus: &StimulusOptions,
+) -> Result<Prelude, CosimError> {
     let begin = Instant::now();
     let (width, height) = size.unwrap_or((scene.image.width, scene.image.height));
     let wires = is_wireframe(scene)?;
@@ -207,6 +235,7 @@ pub fn prelude(
     } else {
         scene_core_for(scene, method, width, height)?
     };
+    let core = with_set_up(core, set_up)?;
     let core = core.with_load_words(stimulus.load_words)?;
     refuse(scene)?;
     drawable(scene)?;
@@ -265,7 +294,15 @@ fn refuse(scene: &Scene) -> Result<(), CosimError> {
 /// # Errors
 /// See [`CosimError`]. A mismatch is not an error: it is in the report.
 pub fn cosim(scene: &Scene, o: &CosimOptions) -> Result<CosimReport, CosimError> {
-    let p = prelude(scene, o.method, o.size, &o.stimulus)?;
+    cosim_by(scene, o, SetUp::Host)
+}
+
+/// [`cosim`] with the host or an engine to set triangles up.
+///
+/// # Errors
+/// See [`CosimError`].
+pub fn cosim_by(scene: &Scene, o: &CosimOptions, set_up: SetUp) -> Result<CosimReport, CosimError> {
+    let p = prelude_by(scene, o.method, set_up, o.size, &o.stimulus)?;
     let scratch = tempfile::tempdir().map_err(CosimError::Scratch)?;
     let result = run(
         o.engine,

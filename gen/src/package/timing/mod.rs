@@ -24,6 +24,9 @@ const WRITES_BEFORE: usize = 2;
 /// Clocks shown after the run, the first of them that of `done`.
 const CLOCKS_AFTER: usize = 2;
 
+/// Clocks shown behind `start` and before the first pixel, where an engine sets the triangle up in between.
+const AROUND: usize = 2;
+
 /// One line of the diagram.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Row {
@@ -170,8 +173,15 @@ pub fn diagram(core: &Core, size: (u32, u32)) -> Result<Diagram, StimulusError> 
     }
     let start = inputs.iter().position(|i| i.start).unwrap_or(0);
     clocks.drain(..start.saturating_sub(WRITES_BEFORE));
+    let mut title = format!("{}_core: last words, start, pixels, done", core.module());
+    if core.order == Order::QuadraticEngine {
+        let shown = clocks.iter().position(|c| c.1.valid).unwrap_or(0);
+        let left_out = (WRITES_BEFORE + 1 + AROUND)..shown.saturating_sub(AROUND);
+        title += &format!(" ({} clocks of set-up left out)", left_out.len());
+        clocks.drain(left_out.start.min(left_out.end)..left_out.end);
+    }
     Ok(Diagram {
-        title: format!("{}_core: last words, start, pixels, done", core.module()),
+        title,
         clocks: clocks.len(),
         rows: rows(core, &clocks),
     })
