@@ -272,8 +272,15 @@ mod tests {
 
     #[test]
     fn the_command_can_be_pasted() {
-        let again =
-            |scene: &str| command(Path::new(scene), "gouraud", Engine::Icarus, Some((8, 6)));
+        let again = |scene: &str| {
+            command(
+                Path::new(scene),
+                "gouraud",
+                SetUp::Host,
+                Engine::Icarus,
+                Some((8, 6)),
+            )
+        };
         assert_eq!(
             again("scenes/a.toml"),
             "shadegate cosim scenes/a.toml --method gouraud --engine icarus --size 8x6"

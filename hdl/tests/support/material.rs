@@ -23,7 +23,11 @@ fn table() -> impl Iterator<Item = u32> {
 /// Fence and material (select, data).
 pub fn writes(order: Order) -> Vec<(u8, u64)> {
     match order {
-        Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => vec![],
+        Order::Linear
+        | Order::Quadratic
+        | Order::QuadraticEngine
+        | Order::Line(_)
+        | Order::Span(_) => vec![],
         Order::QuadraticDots | Order::Duff => {
             let colours = (0x40..).zip(COLOURS);
             let words = table().map(|w| (0x4a, u64::from(w)));

@@ -146,7 +146,11 @@ impl Triangle {
                 .colour
                 .map(|c| c.at(column, row) >> kind.fraction_bits());
             let levels = match kind.order {
-                Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => values,
+                Order::Linear
+                | Order::Quadratic
+                | Order::QuadraticEngine
+                | Order::Line(_)
+                | Order::Span(_) => values,
                 Order::QuadraticDots => [0, 1, 2].map(|c| material::level(c, values[0], values[1])),
                 Order::Duff => {
                     let [light, place] = arguments(values, 0);
@@ -177,13 +181,17 @@ pub fn random_triangles(
 ) -> Vec<Triangle> {
     let unit = 1i64 << kind.fraction_bits();
     let bend = |unit: i64| match kind.order {
-        Order::Linear | Order::Line(_) | Order::Span(_) => 0,
+        Order::Linear | Order::QuadraticEngine | Order::Line(_) | Order::Span(_) => 0,
         Order::Quadratic | Order::QuadraticDots => unit / 32,
         Order::Duff => 0,
     };
     // What a step of 8-bit colour is to an interpolant.
     let units = match kind.order {
-        Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) => [unit; 3],
+        Order::Linear
+        | Order::Quadratic
+        | Order::QuadraticEngine
+        | Order::Line(_)
+        | Order::Span(_) => [unit; 3],
         Order::QuadraticDots => [unit << (16 - 8), unit << (19 - 8), 0],
         Order::Duff => [unit << (28 - 8); 3],
     };
