@@ -3,7 +3,7 @@
 
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
-use shadegate_gen::setup::shell_words;
+use shadegate_gen::setup::{shell_words, MAX_COLUMN, MIN_COLUMN};
 use shadegate_gen::stimulus::{build, sample, StimulusOptions, Triangle};
 use shadegate_gen::vectors::Trace;
 use shadegate_hdl::set_up::{clocks, EngineInputs, EngineModel};
@@ -134,6 +134,9 @@ fn shape(r: &mut StdRng, kind: usize, size: Viewport) -> [Point; 3] {
             }
         }
         _ => {}
+    }
+    for v in &mut p {
+        v.x = v.x.clamp(MIN_COLUMN * SUBPIXELS, MAX_COLUMN * SUBPIXELS);
     }
     p
 }
