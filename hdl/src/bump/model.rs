@@ -16,7 +16,7 @@ pub fn newton(slope_u: i64, slope_v: i64) -> i64 {
 
 /// A squared gradient in 2^−22.
 fn square(slope: i64) -> i64 {
-    slope * slope >> 6
+    (slope * slope) >> 6
 }
 
 /// Factors across and along of the reflection in 2^−16, from F_u and F_v in 2^−14.
@@ -25,7 +25,7 @@ pub fn reflection(slope_u: i64, slope_v: i64) -> (i64, i64) {
     let sum = square(slope_u) + square(slope_v);
     let place = (sum >> 8).min((1 << 16) - 1) as u64;
     let word = reciprocal_word((place >> 8) as usize);
-    let fallen = (word & mask(10)) * (place & mask(8)) >> 8;
+    let fallen = ((word & mask(10)) * (place & mask(8))) >> 8;
     let factor = ((word >> 10) - fallen) as i64;
     (factor >> 2, (factor >> 1) - (1 << 16))
 }
@@ -47,10 +47,10 @@ pub struct Bump {
 #[must_use]
 pub fn dot(b: &Bump) -> i64 {
     let keep = |code: i64| wrap(code, 22);
-    let slant = |i: usize| keep(b.slope[i] * b.light[i] >> 12);
+    let slant = |i: usize| keep((b.slope[i] * b.light[i]) >> 12);
     let slants = keep(slant(0) + slant(1));
-    let straight = keep(b.along * b.light[2] >> 14);
-    let cosine = keep(straight - keep(slants * b.across >> 16));
+    let straight = keep((b.along * b.light[2]) >> 14);
+    let cosine = keep(straight - keep((slants * b.across) >> 16));
     wrap(cosine >> 2, 19)
 }
 
@@ -74,9 +74,9 @@ impl MapModel {
     #[must_use]
     pub fn samples(&self, u: u64, v: u64) -> [u32; 4] {
         let last = MAP_SIZE as u64 - 1;
-        let (x, y) = (u >> 8 & last, v >> 8 & last);
+        let (x, y) = ((u >> 8) & last, (v >> 8) & last);
         [(0, 0), (0, 1), (1, 0), (1, 1)]
-            .map(|(down, right)| self.0[((y + down & last) << 6 | x + right & last) as usize])
+            .map(|(down, right)| self.0[(((y + down) & last) << 6 | ((x + right) & last)) as usize])
     }
 }
 
@@ -84,7 +84,7 @@ impl MapModel {
 #[must_use]
 pub fn blend(samples: [u32; 4], u: u64, v: u64) -> [i64; 2] {
     let (part_u, part_v) = ((u & mask(8)) as i64, (v & mask(8)) as i64);
-    let between = |a: i64, b: i64, part: i64| a + ((b - a) * part >> 8);
+    let between = |a: i64, b: i64, part: i64| a + (((b - a) * part) >> 8);
     [16, 0].map(|low| {
         let [a, b, c, d] = samples.map(|s| i64::from((s >> low) as u16 as i16));
         between(between(a, b, part_u), between(c, d, part_u), part_v)

@@ -87,7 +87,7 @@ pub struct BumpReflection {
     /// The part along the normal as bits.
     along_bits: Wire<U<18>>,
     /// The table.
-    table: Quiet<ReciprocalTable>,
+    quotients: Quiet<ReciprocalTable>,
     /// 1 in units of 2^-16.
     one: Constant<U<18>>,
     /// Largest place.
@@ -132,7 +132,7 @@ impl Default for BumpReflection {
             double: Default::default(),
             double_wide: Default::default(),
             along_bits: Default::default(),
-            table: Default::default(),
+            quotients: Default::default(),
             one: Constant::new(U::new(1 << 16)),
             last: Constant::new(U::new((1 << 16) - 1)),
         }
@@ -154,10 +154,10 @@ impl Logic for BumpReflection {
         self.sum.next = self.square_u_1.q.val() + self.square_v_1.q.val();
         self.steep.next = self.sum.val().get_bits::<2>(24);
         self.interval.next = self.place_2.q.val().get_bits::<8>(8);
-        self.table.clock.next = self.clock.val();
-        self.table.read.next = self.go.val();
-        self.table.read_address.next = self.interval.val();
-        self.word.next = self.table.read_data.val();
+        self.quotients.clock.next = self.clock.val();
+        self.quotients.read.next = self.go.val();
+        self.quotients.read_address.next = self.interval.val();
+        self.word.next = self.quotients.read_data.val();
         self.start.next = self.word.val().get_bits::<18>(10);
         self.fall.next = self.word.val().get_bits::<10>(0);
         self.product.next = bit_cast_product::<18>(self.fall.val() * self.fraction_3.q.val());

@@ -15,7 +15,7 @@ fn inner(place: i64) -> Option<u64> {
 }
 
 fn product(a: u64, b: u64) -> u64 {
-    a * b >> 17
+    (a * b) >> 17
 }
 
 /// What the highlight unit begins with: 1 − t; `None` where the pixel is skipped.

@@ -92,7 +92,7 @@ pub struct SpotCore<const N: usize, const B: usize, const A: usize> {
     /// Place in the cone, (1 - e) / (1 - g), in units of 2^-19.
     cone: Quiet<Quadratic2<B, 29, N>>,
     /// Its register word.
-    cone_word: Wire<U<4>>,
+    behind_depth: Wire<U<4>>,
     /// Depth less 32768.
     depth_value: Quiet<Linear2<32, 15, 16>>,
     /// What the triangle does without.
@@ -146,7 +146,7 @@ impl<const N: usize, const B: usize, const A: usize> SpotCore<N, B, A> {
             light: Default::default(),
             lobe: Default::default(),
             cone: Default::default(),
-            cone_word: Default::default(),
+            behind_depth: Default::default(),
             depth_value: Default::default(),
             skip: Default::default(),
             colour: Default::default(),
@@ -222,10 +222,10 @@ impl<const N: usize, const B: usize, const A: usize> Logic for SpotCore<N, B, A>
         self.depth_value.take.next = self.shell.take.val();
         self.depth_value.run.next = self.shell.run.val();
 
-        self.cone_word.next = self.word.val() - self.behind.val();
+        self.behind_depth.next = self.word.val() - self.behind.val();
         self.cone.clock.next = self.clock.val();
         self.cone.write.next = self.writes_depth.val();
-        self.cone.word.next = self.cone_word.val();
+        self.cone.word.next = self.behind_depth.val();
         self.cone.data.next = self.data.val();
         self.cone.load.next = self.shell.load.val();
         self.cone.step.next = self.shell.step.val();
