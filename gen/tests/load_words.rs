@@ -2,13 +2,17 @@
 //! and the Verilog of the port. After a deliberate change of that:
 //! `SHADEGATE_BLESS=1 cargo test --release -p shadegate-gen --test load_words`.
 
-use shadegate_gen::package::{package_with, rtl, Options, PackageError};
+mod common;
+
+use common::{need, run};
+use shadegate_gen::compile::CompiledCore;
+use shadegate_gen::package::{package, package_with, rtl, Options, PackageError};
 use shadegate_gen::scene::{order_of, triangles_of};
 use shadegate_gen::stimulus::{build, sample, StimulusOptions};
 use shadegate_gen::vectors::Trace;
 use shadegate_gen::wrapper::Wrapper;
 use shadegate_hdl::line::Filter;
-use shadegate_hdl::shade::device::Core;
+use shadegate_hdl::shade::device::{Core, CoreSimulator};
 use shadegate_hdl::shade::model::Order;
 use shadegate_hdl::shade::span_core::SpanKind;
 use shadegate_reference::raster::Viewport;
@@ -192,6 +196,77 @@ fn the_verilog_of_the_port() {
             }
             let want = std::fs::read_to_string(&path).unwrap_or_default();
             assert!(want == *text, "{}: differs", path.display());
+        }
+    }
+}
+
+/// The cores that have the port, each with a number of words.
+const WIDE: [(Order, usize); 8] = [
+    (Order::Linear, 2),
+    (Order::Quadratic, 4),
+    (Order::QuadraticDots, 4),
+    (Order::Duff, 2),
+    (Order::Span(SpanKind::Slerp), 2),
+    (Order::Span(SpanKind::Chebyshev), 4),
+    (Order::Span(SpanKind::Spherical(6)), 4),
+    (Order::Span(SpanKind::Blake), 2),
+];
+
+const SIZE: Viewport = Viewport {
+    width: 64,
+    height: 48,
+};
+
+/// Twenty triangles, with a consumer that is not ready in every fifth clock.
+fn sampled(order: Order, words: usize) -> Trace {
+    let core = Core::for_frame(order, SIZE.width, SIZE.height).expect("in range");
+    let core = core.with_load_words(words).expect("a port");
+    let stimulus = sample(&core, SIZE, 20, 3).expect("set up");
+    Trace::record(core, &stimulus, |clock| clock % 5 != 0)
+}
+
+#[test]
+fn description_and_compiled_netlist_follow_the_model() {
+    for (order, words) in WIDE {
+        let t = sampled(order, words);
+        let one = sampled(order, 1);
+        assert_eq!(pixels(&t), pixels(&one), "{order:?}");
+        assert!(t.cycles < one.cycles && t.pixels.len() > 300, "{order:?}");
+        let mut description = CoreSimulator::new(t.core).expect("connects");
+        let mut compiled = CompiledCore::new(t.core).expect("compiles");
+        for (clock, c) in t.clocks.iter().enumerate() {
+            description.clock(&c.inputs);
+            compiled.clock(&c.inputs);
+            assert_eq!(description.outputs(), c.outputs, "{order:?} clock {clock}");
+            assert_eq!(compiled.outputs(), c.outputs, "{order:?} clock {clock}");
+        }
+    }
+}
+
+#[test]
+fn packages_pass_in_other_simulators() {
+    for tool in ["iverilog", "verilator", "make", "g++"] {
+        need(tool);
+    }
+    for (order, words) in WIDE {
+        let t = sampled(order, words);
+        let rtl = rtl(&t.core).expect("emits");
+        let made = package(&rtl, &t, (SIZE.width, SIZE.height), None).expect("packs");
+        let folder = tempfile::tempdir().expect("a folder");
+        for f in &made.files {
+            let path = folder.path().join(&f.path);
+            std::fs::create_dir_all(path.parent().expect("a folder")).expect("writable");
+            std::fs::write(path, &f.text).expect("writable");
+        }
+        let all = ["icarus", "lint", "verilator"];
+        // Its C++ takes seconds to build.
+        let goals = if order == Order::Quadratic { 3 } else { 2 };
+        for goal in &all[..goals] {
+            let (done, said) = run(folder.path(), "make", &[goal]);
+            assert!(done, "{order:?} make {goal}: {said}");
+            let pass = format!("PASS clocks={} ", t.clocks.len());
+            assert!(*goal == "lint" || said.contains(&pass), "{order:?}: {said}");
+            assert!(*goal != "lint" || !said.contains('%'), "{order:?}: {said}");
         }
     }
 }

@@ -191,11 +191,21 @@ impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<OneLane>
         self.word.next = self.select.val().get_bits::<4>(0);
         self.targets.next = self.select.val().get_bits::<4>(4);
         self.selects_shell.next = !self.targets.val().any();
+        self.fence.next =
+            self.accept.val() && self.selects_shell.val() && (self.word.val() == 12u64.into());
         self.bus_32.next = bit_cast_u::<32, B>(self.data.val());
+        self.walking.next = self.shell.busy.val()
+            || self.place_a.busy.val()
+            || self.place_b.busy.val()
+            || self.place_c.busy.val()
+            || self.place_d.busy.val()
+            || self.place_e.busy.val();
         self.shell.word.next = self.word.val();
         self.shell.data.next = self.bus_32.val();
+        self.writes_dots.next = self.accept.val() && self.targets.val().get_bit(0);
         self.second.next = self.word.val().get_bit(2);
         self.low_word.next = self.word.val().get_bits::<2>(0);
+        self.dot_word.next = bit_cast_u::<4, 2>(self.low_word.val());
         self.light.data.next = self.data.val();
         self.half.data.next = self.data.val();
         self.square.word.next = self.word.val();
@@ -219,11 +229,21 @@ impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<Lanes> for
         self.word.next = self.lanes.shell_word.val();
         self.targets.next = self.lanes.channels.val();
         self.selects_shell.next = self.lanes.shell_write.val();
+        self.fence.next =
+            self.accept.val() && self.selects_shell.val() && (self.word.val() == 12u64.into());
         self.bus_32.next = bit_cast_u::<32, B>(self.lanes.shell_data.val());
+        self.walking.next = self.shell.busy.val()
+            || self.place_a.busy.val()
+            || self.place_b.busy.val()
+            || self.place_c.busy.val()
+            || self.place_d.busy.val()
+            || self.place_e.busy.val();
         self.shell.word.next = self.word.val();
         self.shell.data.next = self.bus_32.val();
+        self.writes_dots.next = self.accept.val() && self.targets.val().get_bit(0);
         self.second.next = self.lanes.first_word.val().get_bit(2);
         self.low_word.next = self.lanes.first_word.val().get_bits::<2>(0);
+        self.dot_word.next = bit_cast_u::<4, 2>(self.low_word.val());
         self.light.data.next = self.lanes.first_data.val();
         self.half.data.next = self.lanes.first_data.val();
         self.square.word.next = self.lanes.second_word.val();
@@ -250,14 +270,6 @@ impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<Rest> for 
             "latency Twenty-one clocks from start to the first pixel; then one pixel per clock."
         );
         dff_setup!(self, clock, draining);
-        self.fence.next =
-            self.accept.val() && self.selects_shell.val() && (self.word.val() == 12u64.into());
-        self.walking.next = self.shell.busy.val()
-            || self.place_a.busy.val()
-            || self.place_b.busy.val()
-            || self.place_c.busy.val()
-            || self.place_d.busy.val()
-            || self.place_e.busy.val();
         if self.fence.val() {
             self.draining.d.next = true;
         } else if !self.walking.val() {
@@ -269,9 +281,6 @@ impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<Rest> for 
         self.shell.start.next = self.start.val() && self.open.val();
         self.shell.hold.next = self.stream.clearing.val();
         self.shell.go.next = self.stream.go.val();
-
-        self.writes_dots.next = self.accept.val() && self.targets.val().get_bit(0);
-        self.dot_word.next = bit_cast_u::<4, 2>(self.low_word.val());
 
         self.light.clock.next = self.clock.val();
         self.light.write.next = self.writes_dots.val() && !self.second.val();

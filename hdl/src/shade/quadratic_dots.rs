@@ -165,6 +165,8 @@ impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<OneLane>
         self.word.next = self.select.val().get_bits::<4>(0);
         self.targets.next = self.select.val().get_bits::<4>(4);
         self.selects_shell.next = !self.targets.val().any();
+        self.fence.next =
+            self.accept.val() && self.selects_shell.val() && (self.word.val() == 12u64.into());
         self.bus_32.next = bit_cast_u::<32, B>(self.data.val());
         self.shell.word.next = self.word.val();
         self.shell.data.next = self.bus_32.val();
@@ -190,6 +192,8 @@ impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<Lanes>
         self.word.next = self.lanes.shell_word.val();
         self.targets.next = self.lanes.channels.val();
         self.selects_shell.next = self.lanes.shell_write.val();
+        self.fence.next =
+            self.accept.val() && self.selects_shell.val() && (self.word.val() == 12u64.into());
         self.bus_32.next = bit_cast_u::<32, B>(self.lanes.shell_data.val());
         self.shell.word.next = self.word.val();
         self.shell.data.next = self.bus_32.val();
@@ -215,8 +219,6 @@ impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<Rest>
         comment!("source Six-knot quadrics of Abbas 2003, chapter 7, of the dot products instead of the colours.");
         comment!("latency Twelve clocks from start to the first pixel; then one pixel per clock.");
         dff_setup!(self, clock, draining);
-        self.fence.next =
-            self.accept.val() && self.selects_shell.val() && (self.word.val() == 12u64.into());
         self.walking.next = self.shell.busy.val() || self.early.busy.val() || self.late.busy.val();
         if self.fence.val() {
             self.draining.d.next = true;

@@ -166,6 +166,8 @@ impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: us
         self.word.next = self.select.val().get_bits::<4>(0);
         self.targets.next = self.select.val().get_bits::<4>(4);
         self.selects_shell.next = self.accept.val() && !self.targets.val().any();
+        self.selects_diffuse.next = self.accept.val() && self.targets.val().get_bit(0);
+        self.selects_highlight.next = self.accept.val() && self.targets.val().get_bit(1);
         self.shell.word.next = self.word.val();
         self.shell.data.next = self.data.val();
         self.loader.word.next = self.word.val();
@@ -191,6 +193,8 @@ impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: us
         self.word.next = self.lanes.shell_word.val();
         self.targets.next = self.lanes.channels.val();
         self.selects_shell.next = self.accept.val() && self.lanes.shell_write.val();
+        self.selects_diffuse.next = self.accept.val() && self.targets.val().get_bit(0);
+        self.selects_highlight.next = self.accept.val() && self.targets.val().get_bit(1);
         self.shell.word.next = self.word.val();
         self.shell.data.next = self.lanes.shell_data.val();
         self.loader.word.next = self.word.val();
@@ -219,8 +223,6 @@ impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: us
         comment!("source Abbas 2003, chapter 6, equations 6.6 to 6.11 and figure 6.6; phase widened, nothing wraps.");
         comment!("latency Ten clocks from start to the first pixel; then one pixel per clock.");
         dff_setup!(self, clock, material_first);
-        self.selects_diffuse.next = self.accept.val() && self.targets.val().get_bit(0);
-        self.selects_highlight.next = self.accept.val() && self.targets.val().get_bit(1);
         self.shell.clock.next = self.clock.val();
         self.shell.write.next = self.selects_shell.val();
         self.shell.start.next = self.start.val();
