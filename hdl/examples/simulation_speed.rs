@@ -66,6 +66,7 @@ fn run(order: Order) -> (f64, f64, f64) {
             start,
             clear: false,
             ready: true,
+            ..CoreInputs::default()
         });
     }
     let speed = f64::from(CLOCKS) / begin.elapsed().as_secs_f64();

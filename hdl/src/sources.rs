@@ -24,6 +24,7 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("lane_place", include_str!("line/place.rs")),
     ("line_cue", include_str!("line/cue.rs")),
     ("line_stream", include_str!("line/stream.rs")),
+    ("load_lanes", include_str!("shade/load_lanes.rs")),
     ("line_walk", include_str!("line/walk.rs")),
     ("linear_1", include_str!("interpolate/linear_1.rs")),
     ("linear_2", include_str!("interpolate/linear_2.rs")),

@@ -4,6 +4,7 @@
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use shadegate_hdl::shade::device::{Core, CoreSimulator};
+use shadegate_hdl::shade::lanes::{Lane, MAX_LANES};
 use shadegate_hdl::shade::model::{CoreInputs, CoreModel, Order};
 
 const CLOCKS: usize = if cfg!(debug_assertions) {
@@ -64,6 +65,14 @@ fn run(core: Core, seed: u64, clocks: usize) {
             start: r.random_ratio(1, 12),
             clear: r.random_ratio(1, 400),
             ready: r.random_ratio(7, 8),
+            more: further_lanes(core, || {
+                let select = r.random_range(0..16u8) << 4 | r.random_range(0..12);
+                Lane {
+                    write: r.random_ratio(3, 4),
+                    select,
+                    data: random_word(&mut r, select),
+                }
+            }),
         };
         s.clock(&i);
         m.clock(&i);
@@ -77,11 +86,23 @@ fn run(core: Core, seed: u64, clocks: usize) {
     );
 }
 
+/// Something on every lane that the core has behind its first.
+fn further_lanes(core: Core, mut lane: impl FnMut() -> Lane) -> [Lane; MAX_LANES - 1] {
+    std::array::from_fn(|k| {
+        if k + 1 < core.load_words {
+            lane()
+        } else {
+            Lane::default()
+        }
+    })
+}
+
 fn core(order: Order, wide: bool) -> Core {
     Core {
         order,
         wide,
         pixels: 1200,
+        load_words: 1,
     }
 }
 
@@ -111,4 +132,22 @@ fn wide_cores() {
     run(core(Order::Linear, true), 24, CLOCKS / 4);
     run(core(Order::QuadraticDots, true), 26, CLOCKS / 4);
     run(core(Order::Duff, true), 28, CLOCKS / 4);
+}
+
+/// Any word on any lane, targets of several lanes at once included.
+#[test]
+fn several_words_per_clock() {
+    let orders = [
+        Order::Quadratic,
+        Order::Linear,
+        Order::QuadraticDots,
+        Order::Duff,
+    ];
+    for (order, seed) in orders.into_iter().zip(31..) {
+        for words in [2, 4] {
+            let wide = words == 2 && order == Order::Duff;
+            let core = core(order, wide).with_load_words(words).unwrap();
+            run(core, seed, CLOCKS / 8);
+        }
+    }
 }

@@ -4,6 +4,7 @@
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use shadegate_hdl::shade::device::{Core, CoreSimulator};
+use shadegate_hdl::shade::lanes::{Lane, MAX_LANES};
 use shadegate_hdl::shade::model::{CoreInputs, Order};
 use shadegate_hdl::shade::span_core::SpanKind;
 
@@ -20,6 +21,7 @@ fn core(kind: SpanKind, wide: bool) -> Core {
         order: Order::Span(kind),
         wide,
         pixels: 1200,
+        load_words: 1,
     }
 }
 
@@ -39,6 +41,19 @@ fn word(r: &mut StdRng, select: u8) -> u64 {
             (r.random::<i32>() >> places) as u32 as u64
         }
     }
+}
+
+/// Something on every lane that the core has behind its first; words of the shell stay on that.
+fn further_lanes(core: Core, tables: bool, r: &mut StdRng) -> [Lane; MAX_LANES - 1] {
+    std::array::from_fn(|k| {
+        let select = r.random_range(1..16) << 4 | r.random_range(0..3);
+        let data = word(r, select);
+        Lane {
+            write: k + 1 < core.load_words && !tables && r.random_ratio(3, 4),
+            select,
+            data,
+        }
+    })
 }
 
 fn run(core: Core, seed: u64, clocks: usize) {
@@ -63,6 +78,7 @@ fn run(core: Core, seed: u64, clocks: usize) {
             start: r.random_ratio(1, 6),
             clear: r.random_ratio(1, 400),
             ready: r.random_ratio(7, 8),
+            more: further_lanes(core, tables, &mut r),
         };
         s.clock(&i);
         m.clock(&i);
@@ -106,4 +122,20 @@ fn spherical_core_with_every_table() {
 #[test]
 fn blake_core() {
     run(core(SpanKind::Blake, false), 12, CLOCKS);
+}
+
+#[test]
+fn several_words_per_clock() {
+    let kinds = [
+        SpanKind::Slerp,
+        SpanKind::Chebyshev,
+        SpanKind::Spherical(6),
+        SpanKind::Blake,
+    ];
+    for (kind, seed) in kinds.into_iter().zip(21..) {
+        for words in [2, 4] {
+            let core = core(kind, false).with_load_words(words).unwrap();
+            run(core, seed, CLOCKS / 4);
+        }
+    }
 }

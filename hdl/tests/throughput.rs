@@ -5,7 +5,10 @@ mod support;
 
 use rand::rngs::StdRng;
 use rand::SeedableRng;
-use shadegate_hdl::shade::model::{CoreOutputs, Order};
+use shadegate_hdl::shade::device::Core;
+use shadegate_hdl::shade::lanes::Lane;
+use shadegate_hdl::shade::model::{CoreInputs, CoreOutputs, Order};
+use shadegate_hdl::shade::span_core::SpanKind;
 use shadegate_reference::raster::Viewport;
 use support::{check_done, random_triangles, taken, Machine, Triangle};
 
@@ -135,5 +138,78 @@ fn the_first_pixel_comes_with_the_stated_latency() {
             *valid_range(&trace).start(),
             words - 1 + m.kind.latency() as usize
         );
+    }
+}
+
+/// Clocks without a pixel between the first and the last, for spans of `pixels` pixels one below the other whose ten
+/// words come `lanes` per clock: of shell and depth two, of both terms three.
+fn bubbles_of_spans(lanes: usize, pixels: u64) -> usize {
+    const SPANS: u64 = 40;
+    let core = Core::for_frame(Order::Span(SpanKind::Slerp), SIZE.width, SIZE.height).unwrap();
+    let mut m = core.with_load_words(lanes).unwrap().model();
+    let mut offered = vec![];
+    for row in 0..SPANS {
+        let words = |select: u8, count: u8| (0..count).map(move |w| (select | w, 0));
+        let place = [
+            (0, pixels << 21 | row),
+            (1, row * u64::from(SIZE.width)),
+            (0x80, 1 << 16),
+            (0x81, 0),
+        ];
+        let mut left: Vec<(u8, u64)> = place.to_vec();
+        left.extend(words(0x10, 3).chain(words(0x20, 3)));
+        while !left.is_empty() {
+            let mut i = CoreInputs {
+                ready: true,
+                ..CoreInputs::default()
+            };
+            if m.outputs().load_ready {
+                // The first word left of every target, targets with three words before those with two.
+                left.sort_by_key(|(select, _)| (select & 15, *select == 0 || select >> 7 == 1));
+                let mut lane = 0;
+                let mut taken = std::collections::HashSet::new();
+                left.retain(|(select, data)| {
+                    if lane == lanes || !taken.insert(select >> 4) {
+                        return true;
+                    }
+                    let sent = Lane {
+                        write: true,
+                        select: *select,
+                        data: *data,
+                    };
+                    if lane == 0 {
+                        (i.write, i.select, i.data) = (true, sent.select, sent.data);
+                    } else {
+                        i.more[lane - 1] = sent;
+                    }
+                    lane += 1;
+                    false
+                });
+                i.start = left.is_empty();
+            }
+            m.clock(&i);
+            offered.push(m.outputs().valid);
+        }
+    }
+    while m.outputs().busy {
+        m.clock(&CoreInputs {
+            ready: true,
+            ..CoreInputs::default()
+        });
+        offered.push(m.outputs().valid);
+    }
+    let first = offered.iter().position(|v| *v).unwrap();
+    let last = offered.iter().rposition(|v| *v).unwrap();
+    let drawn = offered.iter().filter(|v| **v).count();
+    assert_eq!(drawn as u64, SPANS * pixels, "{lanes} lanes");
+    last + 1 - first - drawn
+}
+
+/// A span hides the words of the next one if it has a pixel more than they take clocks: ten, five or three.
+#[test]
+fn no_bubbles_between_spans_that_hide_their_words() {
+    for (lanes, clocks) in [(1, 10), (2, 5), (4, 3)] {
+        assert_eq!(bubbles_of_spans(lanes, clocks + 1), 0, "{lanes} lanes");
+        assert!(bubbles_of_spans(lanes, clocks - 1) > 0, "{lanes} lanes");
     }
 }

@@ -11,6 +11,7 @@ use super::weight_rom::WeightModel;
 use super::{Filter, TABLE_BITS};
 use crate::format::mask;
 use crate::shade::model::{CoreInputs, CoreOutputs};
+use crate::shade::pace::Pace;
 
 /// Register word of the background.
 pub const BACKGROUND: usize = 12;
@@ -146,14 +147,30 @@ impl LineModel {
         (pixel, self.walk.active && place.inside)
     }
 
+    /// Whether the stages behind the walk move, and whether the walk does.
+    fn moves(&self, ready: bool) -> (bool, bool) {
+        match &self.stages {
+            Stages::Plain { valid, .. } => (!valid || ready, !valid || ready),
+            Stages::Blend(s, _) => {
+                let (pixel, fragment) = self.pixel();
+                (s.moving(ready), s.go(ready, fragment, pixel.address))
+            }
+        }
+    }
+
+    /// What a clock with these inputs is spent on.
+    #[must_use]
+    pub fn pace(&self, i: &CoreInputs) -> Pace {
+        let (_, go) = self.moves(i.ready);
+        let pixel = Pace::of_pixel(self.walk.active, go);
+        pixel.unwrap_or(Pace::of_empty(self.hold(), self.walk.pending))
+    }
+
     /// One clock edge; the outputs after it are those of [`LineModel::outputs`].
     pub fn clock(&mut self, i: &CoreInputs) {
         let (pixel, fragment) = self.pixel();
         let walking = self.walking();
-        let (moving, go) = match &self.stages {
-            Stages::Plain { valid, .. } => (!valid || i.ready, !valid || i.ready),
-            Stages::Blend(s, _) => (s.moving(i.ready), s.go(i.ready, fragment, pixel.address)),
-        };
+        let (moving, go) = self.moves(i.ready);
         let accept = i.write && !self.walk.pending;
         let word = usize::from(i.select & 15);
         let data = i.data & mask(32);

@@ -4,6 +4,7 @@ use super::edge_walk::EdgeModel;
 use super::shell::{FRAME_WIDTH, WORDS};
 use crate::format::{mask, wrap};
 use crate::interpolate::linear_2::Controls;
+use crate::shade::pace::Pace;
 
 /// What the shell sees in one clock.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -158,6 +159,18 @@ impl ShellModel {
             busy: self.pending || self.line.is_some() || self.running,
             ordinal: p.ordinal,
         }
+    }
+
+    /// What a clock with these inputs is spent on.
+    #[must_use]
+    pub fn pace(&self, i: &ShellInputs) -> Pace {
+        let d = self.decide(i);
+        let empty_row = d.advance && !d.taking;
+        Pace::of_pixel(self.running, i.go).unwrap_or(match &self.line {
+            Some(_) if empty_row => Pace::EmptyRow,
+            Some(_) => Pace::Moving,
+            None => Pace::of_empty(i.hold, self.pending),
+        })
     }
 
     fn load_line(&self) -> Line {

@@ -20,6 +20,7 @@
 //! a row 10 as it is written, and an address stays below columns · rows.
 
 use crate::format::{bit_cast_u, mask, U};
+use crate::shade::pace::Pace;
 use crate::simulate::{Register, Wire};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
@@ -255,6 +256,13 @@ impl SpanShellModel {
     pub fn controls(&self, i: &SpanShellInputs) -> (bool, bool) {
         let free = !self.running || (i.go && self.pixel.left == 1);
         (self.pending && !i.hold && free, self.running && i.go)
+    }
+
+    /// What a clock with these inputs is spent on.
+    #[must_use]
+    pub fn pace(&self, i: &SpanShellInputs) -> Pace {
+        let pixel = Pace::of_pixel(self.running, i.go);
+        pixel.unwrap_or(Pace::of_empty(i.hold, self.pending))
     }
 
     /// A span is waiting or being drawn.

@@ -60,6 +60,42 @@ pub fn longest_run(width: u32, height: u32) -> Option<u32> {
         .checked_add(height.checked_mul(2)?)
 }
 
+/// Why a core has no load port of so many words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LoadWordsError {
+    /// No core has one.
+    Count(usize),
+    /// This core takes one word per clock.
+    Core(&'static str),
+}
+
+impl std::fmt::Display for LoadWordsError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Count(words) => write!(
+                f,
+                "a load port of {words} register words per clock does not exist; expected 1, 2 or 4"
+            ),
+            Self::Core(name) => write!(
+                f,
+                "core '{name}' takes one register word per clock; expected 1 load word"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for LoadWordsError {}
+
+/// Hands a function a design with the core's load port.
+macro_rules! laned {
+    ($core:expr, $f:expr, $type:ty) => {{
+        let mut design = <$type>::new($core.pixels);
+        design.lanes.widen($core.load_words);
+        $f.visit(design)
+    }};
+}
+pub(super) use laned;
+
 /// A core, chosen at run time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Core {
@@ -69,6 +105,8 @@ pub struct Core {
     pub wide: bool,
     /// Words of the depth memory: pixels of the frame.
     pub pixels: usize,
+    /// Register words per clock: 1, 2 or 4. Line cores have 1.
+    pub load_words: usize,
 }
 
 impl Core {
@@ -83,6 +121,32 @@ impl Core {
             order,
             wide: run > NARROW_RUN,
             pixels: (width * height) as usize,
+            load_words: 1,
+        })
+    }
+
+    /// Register words per clock that a core may take.
+    pub const LOAD_WORDS: [usize; 3] = [1, 2, 4];
+
+    /// The same core with a load port of `words` register words per clock.
+    ///
+    /// # Errors
+    /// Other numbers than 1, 2 and 4; more than 1 for cores that have one lane.
+    pub fn with_load_words(self, words: usize) -> Result<Self, LoadWordsError> {
+        let lanes = match self.order {
+            Order::Linear | Order::Quadratic | Order::QuadraticDots | Order::Duff => true,
+            Order::Span(_) => true,
+            Order::Line(_) => false,
+        };
+        if !Self::LOAD_WORDS.contains(&words) {
+            return Err(LoadWordsError::Count(words));
+        }
+        if words > 1 && !lanes {
+            return Err(LoadWordsError::Core(self.name()));
+        }
+        Ok(Self {
+            load_words: words,
+            ..self
         })
     }
 
@@ -225,18 +289,18 @@ impl Core {
     /// Calls `f` with the description.
     pub fn with_design<R>(&self, f: impl DesignVisitor<R>) -> R {
         match (self.order, self.wide) {
-            (Order::Quadratic, false) => f.visit(QuadraticNarrow::new(self.pixels)),
-            (Order::Quadratic, true) => f.visit(QuadraticWide::new(self.pixels)),
-            (Order::Linear, false) => f.visit(GouraudNarrow::new(self.pixels)),
-            (Order::Linear, true) => f.visit(GouraudWide::new(self.pixels)),
-            (Order::QuadraticDots, false) => f.visit(QuadraticDotsNarrow::new(self.pixels)),
-            (Order::Duff, false) => f.visit(DuffNarrow::new(self.pixels)),
-            (Order::Duff, true) => f.visit(DuffWide::new(self.pixels)),
-            (Order::QuadraticDots, true) => f.visit(QuadraticDotsWide::new(self.pixels)),
+            (Order::Quadratic, false) => laned!(self, f, QuadraticNarrow),
+            (Order::Quadratic, true) => laned!(self, f, QuadraticWide),
+            (Order::Linear, false) => laned!(self, f, GouraudNarrow),
+            (Order::Linear, true) => laned!(self, f, GouraudWide),
+            (Order::QuadraticDots, false) => laned!(self, f, QuadraticDotsNarrow),
+            (Order::QuadraticDots, true) => laned!(self, f, QuadraticDotsWide),
+            (Order::Duff, false) => laned!(self, f, DuffNarrow),
+            (Order::Duff, true) => laned!(self, f, DuffWide),
             (Order::Line(filter), false) => filter.with_design::<17, R>(self.pixels, f),
             (Order::Line(filter), true) => filter.with_design::<21, R>(self.pixels, f),
-            (Order::Span(kind), false) => kind.with_design::<17, R>(self.pixels, f),
-            (Order::Span(kind), true) => kind.with_design::<21, R>(self.pixels, f),
+            (Order::Span(kind), false) => kind.with_design::<17, R>(self, f),
+            (Order::Span(kind), true) => kind.with_design::<21, R>(self, f),
         }
     }
 }
@@ -256,9 +320,10 @@ pub trait CorePorts {
 }
 
 macro_rules! core_ports {
-    ($type:ident, $($n:ident),+) => {
+    ($type:ident, $($n:ident),+ $(; $lanes:ident)?) => {
         impl<$(const $n: usize),+> CorePorts for $type<$($n),+> {
             fn set(&mut self, i: &CoreInputs) {
+                $(self.$lanes.set(&i.more);)?
                 self.write.next = i.write;
                 self.select.next = U::new(u64::from(i.select));
                 self.data.next = U::new(i.data);
@@ -287,14 +352,14 @@ macro_rules! core_ports {
         }
     };
 }
-core_ports!(QuadraticCore, D, N, B, A);
-core_ports!(GouraudCore, D, N, B, A);
-core_ports!(QuadraticDotsCore, N, B, A);
-core_ports!(DuffCore, N, B, A);
-core_ports!(SlerpCore, A);
-core_ports!(ChebyshevCore, A);
-core_ports!(BlakeCore, A);
-core_ports!(SphericalCore, A, K, M, P, H);
+core_ports!(QuadraticCore, D, N, B, A; lanes);
+core_ports!(GouraudCore, D, N, B, A; lanes);
+core_ports!(QuadraticDotsCore, N, B, A; lanes);
+core_ports!(DuffCore, N, B, A; lanes);
+core_ports!(SlerpCore, A; lanes);
+core_ports!(ChebyshevCore, A; lanes);
+core_ports!(BlakeCore, A; lanes);
+core_ports!(SphericalCore, A, K, M, P, H; lanes);
 core_ports!(BresenhamCore, A);
 core_ports!(BoxCore, A);
 core_ports!(ConeCore, A);

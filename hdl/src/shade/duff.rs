@@ -13,6 +13,7 @@
 //! root ([`super::phong::inverse_root`]); magnified by at most 255·19.4·2^s for the highlight. That is 0.08 LSB for n ≤ 144
 //! (s ≤ 3), 0.33 for n ≤ 600 (s = 5), which is the largest exponent that the core takes.
 
+use super::load_lanes::{self, LanePort, Lanes, OneLane, Rest};
 use super::phong::colour::PhongColour;
 use super::phong::fragment_delay::FragmentDelay;
 use super::phong::unit_cosines::UnitCosines;
@@ -46,6 +47,8 @@ pub struct DuffCore<const N: usize, const B: usize, const A: usize> {
     pub clear: Signal<In, Bit>,
     /// The pixel is taken.
     pub ready: Signal<In, Bit>,
+    /// The further lanes of the load port.
+    pub lanes: LanePort<B>,
     /// Register words may be written.
     pub load_ready: Signal<Out, Bit>,
     /// A visible pixel is offered; held until `ready`.
@@ -135,6 +138,7 @@ impl<const N: usize, const B: usize, const A: usize> DuffCore<N, B, A> {
             start: Default::default(),
             clear: Default::default(),
             ready: Default::default(),
+            lanes: Default::default(),
             load_ready: Default::default(),
             valid: Default::default(),
             x: Default::default(),
@@ -176,16 +180,12 @@ impl<const N: usize, const B: usize, const A: usize> DuffCore<N, B, A> {
     }
 }
 
-impl<const N: usize, const B: usize, const A: usize> Logic for DuffCore<N, B, A> {
+/// One word per clock: `select` is decoded for all targets.
+impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<OneLane>
+    for DuffCore<N, B, A>
+{
     #[hdl_gen]
     fn update(&mut self) {
-        comment!("name duff_core");
-        comment!("title Phong shading by a root per pixel, depth test, pixel stream.");
-        comment!("equation I = ambient + diffuse max(0, p/sqrt(q)) + specular max(0, h/sqrt(q))^n; p, h linear, q quadratic in x and y");
-        comment!("source Duff 1979; Hast 2004, equations 2.44 and 3.234 to 3.241.");
-        comment!("latency Twenty clocks from start to the first pixel; then one pixel per clock.");
-        dff_setup!(self, clock, draining);
-        // Register file.
         self.open.next = self.shell.load_ready.val() && !self.draining.q.val();
         self.accept.next = self.write.val() && self.open.val();
         self.word.next = self.select.val().get_bits::<4>(0);
@@ -200,6 +200,74 @@ impl<const N: usize, const B: usize, const A: usize> Logic for DuffCore<N, B, A>
             || self.place_c.busy.val()
             || self.place_d.busy.val()
             || self.place_e.busy.val();
+        self.shell.word.next = self.word.val();
+        self.shell.data.next = self.bus_32.val();
+        self.writes_dots.next = self.accept.val() && self.targets.val().get_bit(0);
+        self.second.next = self.word.val().get_bit(2);
+        self.low_word.next = self.word.val().get_bits::<2>(0);
+        self.dot_word.next = bit_cast_u::<4, 2>(self.low_word.val());
+        self.light.data.next = self.data.val();
+        self.half.data.next = self.data.val();
+        self.square.word.next = self.word.val();
+        self.square.data.next = self.data.val();
+        self.depth_value.word.next = self.word.val();
+        self.depth_value.data.next = self.bus_32.val();
+        self.scale.next = self.data.val().get_bits::<3>(0);
+        self.cosines.write_scale.next =
+            self.accept.val() && self.targets.val().get_bit(2) && (self.word.val() == 11u64.into());
+        self.colour.word.next = self.word.val();
+        self.colour.data.next = self.bus_32.val();
+    }
+}
+
+/// Several words per clock: each target has its own.
+impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<Lanes> for DuffCore<N, B, A> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.open.next = self.shell.load_ready.val() && !self.draining.q.val();
+        self.accept.next = self.open.val();
+        self.word.next = self.lanes.shell_word.val();
+        self.targets.next = self.lanes.channels.val();
+        self.selects_shell.next = self.lanes.shell_write.val();
+        self.fence.next =
+            self.accept.val() && self.selects_shell.val() && (self.word.val() == 12u64.into());
+        self.bus_32.next = bit_cast_u::<32, B>(self.lanes.shell_data.val());
+        self.walking.next = self.shell.busy.val()
+            || self.place_a.busy.val()
+            || self.place_b.busy.val()
+            || self.place_c.busy.val()
+            || self.place_d.busy.val()
+            || self.place_e.busy.val();
+        self.shell.word.next = self.word.val();
+        self.shell.data.next = self.bus_32.val();
+        self.writes_dots.next = self.accept.val() && self.targets.val().get_bit(0);
+        self.second.next = self.lanes.first_word.val().get_bit(2);
+        self.low_word.next = self.lanes.first_word.val().get_bits::<2>(0);
+        self.dot_word.next = bit_cast_u::<4, 2>(self.low_word.val());
+        self.light.data.next = self.lanes.first_data.val();
+        self.half.data.next = self.lanes.first_data.val();
+        self.square.word.next = self.lanes.second_word.val();
+        self.square.data.next = self.lanes.second_data.val();
+        self.depth_value.word.next = self.lanes.fourth_word.val();
+        self.depth_value.data.next = bit_cast_u::<32, B>(self.lanes.fourth_data.val());
+        self.scale.next = self.lanes.third_data.val().get_bits::<3>(0);
+        self.cosines.write_scale.next = self.accept.val()
+            && self.targets.val().get_bit(2)
+            && (self.lanes.third_word.val() == 11u64.into());
+        self.colour.word.next = self.lanes.third_word.val();
+        self.colour.data.next = bit_cast_u::<32, B>(self.lanes.third_data.val());
+    }
+}
+
+impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<Rest> for DuffCore<N, B, A> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        comment!("name duff_core");
+        comment!("title Phong shading by a root per pixel, depth test, pixel stream.");
+        comment!("equation I = ambient + diffuse max(0, p/sqrt(q)) + specular max(0, h/sqrt(q))^n; p, h linear, q quadratic in x and y");
+        comment!("source Duff 1979; Hast 2004, equations 2.44 and 3.234 to 3.241.");
+        comment!("latency Twenty clocks from start to the first pixel; then one pixel per clock.");
+        dff_setup!(self, clock, draining);
         if self.fence.val() {
             self.draining.d.next = true;
         } else if !self.walking.val() {
@@ -208,21 +276,13 @@ impl<const N: usize, const B: usize, const A: usize> Logic for DuffCore<N, B, A>
 
         self.shell.clock.next = self.clock.val();
         self.shell.write.next = self.accept.val() && self.selects_shell.val();
-        self.shell.word.next = self.word.val();
-        self.shell.data.next = self.bus_32.val();
         self.shell.start.next = self.start.val() && self.open.val();
         self.shell.hold.next = self.stream.clearing.val();
         self.shell.go.next = self.stream.go.val();
 
-        self.writes_dots.next = self.accept.val() && self.targets.val().get_bit(0);
-        self.second.next = self.word.val().get_bit(2);
-        self.low_word.next = self.word.val().get_bits::<2>(0);
-        self.dot_word.next = bit_cast_u::<4, 2>(self.low_word.val());
-
         self.light.clock.next = self.clock.val();
         self.light.write.next = self.writes_dots.val() && !self.second.val();
         self.light.word.next = self.dot_word.val();
-        self.light.data.next = self.data.val();
         self.light.load.next = self.shell.load.val();
         self.light.step.next = self.shell.step.val();
         self.light.carry.next = self.shell.carry.val();
@@ -232,7 +292,6 @@ impl<const N: usize, const B: usize, const A: usize> Logic for DuffCore<N, B, A>
         self.half.clock.next = self.clock.val();
         self.half.write.next = self.writes_dots.val() && self.second.val();
         self.half.word.next = self.dot_word.val();
-        self.half.data.next = self.data.val();
         self.half.load.next = self.shell.load.val();
         self.half.step.next = self.shell.step.val();
         self.half.carry.next = self.shell.carry.val();
@@ -241,8 +300,6 @@ impl<const N: usize, const B: usize, const A: usize> Logic for DuffCore<N, B, A>
 
         self.square.clock.next = self.clock.val();
         self.square.write.next = self.accept.val() && self.targets.val().get_bit(1);
-        self.square.word.next = self.word.val();
-        self.square.data.next = self.data.val();
         self.square.load.next = self.shell.load.val();
         self.square.step.next = self.shell.step.val();
         self.square.carry.next = self.shell.carry.val();
@@ -251,19 +308,14 @@ impl<const N: usize, const B: usize, const A: usize> Logic for DuffCore<N, B, A>
 
         self.depth_value.clock.next = self.clock.val();
         self.depth_value.write.next = self.accept.val() && self.targets.val().get_bit(3);
-        self.depth_value.word.next = self.word.val();
-        self.depth_value.data.next = self.bus_32.val();
         self.depth_value.load.next = self.shell.load.val();
         self.depth_value.step.next = self.shell.step.val();
         self.depth_value.carry.next = self.shell.carry.val();
         self.depth_value.take.next = self.shell.take.val();
         self.depth_value.run.next = self.shell.run.val();
 
-        self.scale.next = self.data.val().get_bits::<3>(0);
         self.cosines.clock.next = self.clock.val();
         self.cosines.go.next = self.stream.go.val();
-        self.cosines.write_scale.next =
-            self.accept.val() && self.targets.val().get_bit(2) && (self.word.val() == 11u64.into());
         self.cosines.scale.next = self.scale.val();
         self.cosines.light_dot.next = self.light.value.val();
         self.cosines.half_dot.next = self.half.value.val();
@@ -272,8 +324,6 @@ impl<const N: usize, const B: usize, const A: usize> Logic for DuffCore<N, B, A>
         self.colour.clock.next = self.clock.val();
         self.colour.go.next = self.stream.go.val();
         self.colour.write.next = self.accept.val() && self.targets.val().get_bit(2);
-        self.colour.word.next = self.word.val();
-        self.colour.data.next = self.bus_32.val();
         self.colour.light.next = self.cosines.light.val();
         self.colour.place.next = self.cosines.place.val();
 
@@ -343,6 +393,5 @@ impl<const N: usize, const B: usize, const A: usize> Logic for DuffCore<N, B, A>
     }
 }
 
-crate::clocked!(DuffCore<N, B, A>, const N: usize, const B: usize, const A: usize;
-    inputs write, select, data, start, clear, ready;
+crate::lane_core!(DuffCore<N, B, A>, const N: usize, const B: usize, const A: usize;
     outputs load_ready, valid, x, y, red, green, blue, depth, busy, done);

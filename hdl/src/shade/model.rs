@@ -1,5 +1,7 @@
 //! Integer model of a whole core, clock by clock: what the description must do, in plain integers.
 
+use super::lanes::{Lane, MAX_LANES};
+use super::pace::Pace;
 use super::phong::model::{DelayModel, Fragment, PhongModel};
 use super::phong::power::{PLACE_FRACTION_BITS, PLACE_INTEGER_BITS};
 use super::phong::root_model::DuffModel;
@@ -49,6 +51,30 @@ pub struct CoreInputs {
     pub clear: bool,
     /// The pixel is taken.
     pub ready: bool,
+    /// The further lanes of a core that takes several words per clock; idle in the others.
+    pub more: [Lane; MAX_LANES - 1],
+}
+
+impl CoreInputs {
+    /// The word for a target of the registers, 0 the shell, 1 to 4 the bits of the mask: that of the lowest lane.
+    #[must_use]
+    #[inline]
+    pub fn word_for(&self, target: usize) -> Option<(usize, u64)> {
+        let first = Lane {
+            write: self.write,
+            select: self.select,
+            data: self.data,
+        };
+        let mut lanes = std::iter::once(&first).chain(&self.more);
+        let lane = lanes.find(|l| l.writes_to(target))?;
+        Some((usize::from(lane.select & 15), lane.data))
+    }
+
+    /// Register writes in this clock.
+    #[must_use]
+    pub fn writes(&self) -> u64 {
+        u64::from(self.write) + self.more.iter().map(|l| u64::from(l.write)).sum::<u64>()
+    }
 }
 
 /// What a core drives, after the clock edge.
@@ -219,11 +245,9 @@ impl CoreModel {
     }
 
     fn shell_inputs(&self, i: &CoreInputs) -> ShellInputs {
-        let word = usize::from(i.select & 15);
-        let data = i.data & mask(self.bus_bits);
+        let write = i.word_for(0).filter(|_| !self.draining());
         ShellInputs {
-            write: (i.write && i.select >> 4 == 0 && !self.draining())
-                .then_some((word, data & mask(32))),
+            write: write.map(|(word, data)| (word, data & mask(self.bus_bits.min(32)))),
             start: i.start && !self.draining(),
             hold: self.z_buffer.clearing(),
             go: !self.out_valid || i.ready,
@@ -279,6 +303,16 @@ impl CoreModel {
         }
     }
 
+    /// What a clock with these inputs is spent on.
+    #[must_use]
+    pub fn pace(&self, i: &CoreInputs) -> Pace {
+        match (&self.line, &self.span) {
+            (Some(line), _) => line.pace(i),
+            (_, Some(span)) => span.pace(i),
+            _ => self.shell.pace(&self.shell_inputs(i)),
+        }
+    }
+
     /// The accumulators of the pixel registers: red, green, blue, depth codes.
     #[must_use]
     pub fn accumulators(&self) -> [i64; 4] {
@@ -299,11 +333,8 @@ impl CoreModel {
         let busy = self.busy(so.busy);
         let go = si.go;
         let depth_bits = 1 + DEPTH_INTEGER_BITS + DEPTH_FRACTION_BITS;
-        let accept = i.write && so.load_ready && !self.draining();
-        let word = usize::from(i.select & 15);
-        let write = |channel: usize| {
-            (accept && i.select >> (4 + channel) & 1 == 1).then_some((word, i.data))
-        };
+        let accept = so.load_ready && !self.draining();
+        let write = |channel: usize| i.word_for(1 + channel).filter(|_| accept);
         let walked = Fragment {
             valid: so.fragment,
             ordinal: so.ordinal,
@@ -331,7 +362,7 @@ impl CoreModel {
                 if go {
                     r.delay.shift(walked);
                 }
-                let fence = accept && i.select >> 4 == 0 && word == FENCE_WORD;
+                let fence = accept && i.word_for(0).is_some_and(|(word, _)| word == FENCE_WORD);
                 r.draining = fence || (r.draining && walking);
                 late
             }

@@ -10,6 +10,7 @@
 //! at most (1 + n(n + 1)/2)·2^−(N+1) LSB, n = lines + carries + pixels from the start: 0.22 LSB for N = 20 and
 //! n ≤ 960 (320×240 with its guard band).
 
+use super::load_lanes::{self, LanePort, Lanes, OneLane, Rest};
 use super::pixel_stream::PixelStream;
 use crate::format::{bit_cast_u, U};
 use crate::interpolate::linear_2::Linear2;
@@ -39,6 +40,8 @@ pub struct QuadraticCore<const D: usize, const N: usize, const B: usize, const A
     pub clear: Signal<In, Bit>,
     /// The pixel is taken.
     pub ready: Signal<In, Bit>,
+    /// The further lanes of the load port.
+    pub lanes: LanePort<B>,
     /// Register words may be written.
     pub load_ready: Signal<Out, Bit>,
     /// A visible pixel is offered; held until `ready`.
@@ -101,6 +104,7 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> QuadraticCo
             start: Default::default(),
             clear: Default::default(),
             ready: Default::default(),
+            lanes: Default::default(),
             load_ready: Default::default(),
             valid: Default::default(),
             x: Default::default(),
@@ -127,7 +131,57 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> QuadraticCo
     }
 }
 
-impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
+/// One word per clock: `select` is decoded for all targets.
+impl<const D: usize, const N: usize, const B: usize, const A: usize> load_lanes::Part<OneLane>
+    for QuadraticCore<D, N, B, A>
+{
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.accept.next = self.write.val() && self.shell.load_ready.val();
+        self.word.next = self.select.val().get_bits::<4>(0);
+        self.channels.next = self.select.val().get_bits::<4>(4);
+        self.selects_shell.next = !self.channels.val().any();
+        self.bus_32.next = bit_cast_u::<32, B>(self.data.val());
+        self.bus_colour.next = bit_cast_u::<D, B>(self.data.val());
+        self.shell.word.next = self.word.val();
+        self.shell.data.next = self.bus_32.val();
+        self.red_value.word.next = self.word.val();
+        self.red_value.data.next = self.bus_colour.val();
+        self.green_value.word.next = self.word.val();
+        self.green_value.data.next = self.bus_colour.val();
+        self.blue_value.word.next = self.word.val();
+        self.blue_value.data.next = self.bus_colour.val();
+        self.depth_value.word.next = self.word.val();
+        self.depth_value.data.next = self.bus_32.val();
+    }
+}
+
+/// Several words per clock: each target has its own.
+impl<const D: usize, const N: usize, const B: usize, const A: usize> load_lanes::Part<Lanes>
+    for QuadraticCore<D, N, B, A>
+{
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.accept.next = self.shell.load_ready.val();
+        self.word.next = self.lanes.shell_word.val();
+        self.channels.next = self.lanes.channels.val();
+        self.selects_shell.next = self.lanes.shell_write.val();
+        self.bus_32.next = bit_cast_u::<32, B>(self.lanes.shell_data.val());
+        self.bus_colour.next = bit_cast_u::<D, B>(self.lanes.first_data.val());
+        self.shell.word.next = self.word.val();
+        self.shell.data.next = self.bus_32.val();
+        self.red_value.word.next = self.lanes.first_word.val();
+        self.red_value.data.next = self.bus_colour.val();
+        self.green_value.word.next = self.lanes.second_word.val();
+        self.green_value.data.next = bit_cast_u::<D, B>(self.lanes.second_data.val());
+        self.blue_value.word.next = self.lanes.third_word.val();
+        self.blue_value.data.next = bit_cast_u::<D, B>(self.lanes.third_data.val());
+        self.depth_value.word.next = self.lanes.fourth_word.val();
+        self.depth_value.data.next = bit_cast_u::<32, B>(self.lanes.fourth_data.val());
+    }
+}
+
+impl<const D: usize, const N: usize, const B: usize, const A: usize> load_lanes::Part<Rest>
     for QuadraticCore<D, N, B, A>
 {
     #[hdl_gen]
@@ -137,26 +191,15 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
         comment!("equation I(x, y) = T5 x^2 + T4 x y + T3 y^2 + T2 x + T1 y + T0 per channel, by forward differences");
         comment!("source Abbas 2003, chapter 7 and appendix; set-up Hast 2004, equations 3.213 to 3.233.");
         comment!("latency Five clocks from start to the first pixel; then one pixel per clock.");
-        // Register file.
-        self.accept.next = self.write.val() && self.shell.load_ready.val();
-        self.word.next = self.select.val().get_bits::<4>(0);
-        self.channels.next = self.select.val().get_bits::<4>(4);
-        self.selects_shell.next = !self.channels.val().any();
-        self.bus_32.next = bit_cast_u::<32, B>(self.data.val());
-        self.bus_colour.next = bit_cast_u::<D, B>(self.data.val());
 
         self.shell.clock.next = self.clock.val();
         self.shell.write.next = self.accept.val() && self.selects_shell.val();
-        self.shell.word.next = self.word.val();
-        self.shell.data.next = self.bus_32.val();
         self.shell.start.next = self.start.val();
         self.shell.hold.next = self.stream.clearing.val();
         self.shell.go.next = self.stream.go.val();
 
         self.red_value.clock.next = self.clock.val();
         self.red_value.write.next = self.accept.val() && self.channels.val().get_bit(0);
-        self.red_value.word.next = self.word.val();
-        self.red_value.data.next = self.bus_colour.val();
         self.red_value.load.next = self.shell.load.val();
         self.red_value.step.next = self.shell.step.val();
         self.red_value.carry.next = self.shell.carry.val();
@@ -165,8 +208,6 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
 
         self.green_value.clock.next = self.clock.val();
         self.green_value.write.next = self.accept.val() && self.channels.val().get_bit(1);
-        self.green_value.word.next = self.word.val();
-        self.green_value.data.next = self.bus_colour.val();
         self.green_value.load.next = self.shell.load.val();
         self.green_value.step.next = self.shell.step.val();
         self.green_value.carry.next = self.shell.carry.val();
@@ -175,8 +216,6 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
 
         self.blue_value.clock.next = self.clock.val();
         self.blue_value.write.next = self.accept.val() && self.channels.val().get_bit(2);
-        self.blue_value.word.next = self.word.val();
-        self.blue_value.data.next = self.bus_colour.val();
         self.blue_value.load.next = self.shell.load.val();
         self.blue_value.step.next = self.shell.step.val();
         self.blue_value.carry.next = self.shell.carry.val();
@@ -185,8 +224,6 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
 
         self.depth_value.clock.next = self.clock.val();
         self.depth_value.write.next = self.accept.val() && self.channels.val().get_bit(3);
-        self.depth_value.word.next = self.word.val();
-        self.depth_value.data.next = self.bus_32.val();
         self.depth_value.load.next = self.shell.load.val();
         self.depth_value.step.next = self.shell.step.val();
         self.depth_value.carry.next = self.shell.carry.val();
@@ -219,6 +256,5 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
     }
 }
 
-crate::clocked!(QuadraticCore<D, N, B, A>, const D: usize, const N: usize, const B: usize, const A: usize;
-    inputs write, select, data, start, clear, ready;
+crate::lane_core!(QuadraticCore<D, N, B, A>, const D: usize, const N: usize, const B: usize, const A: usize;
     outputs load_ready, valid, x, y, red, green, blue, depth, busy, done);

@@ -18,6 +18,7 @@
 //! 255·19.4 for the lobe, whatever the exponent. For N = 15 and n ≤ 1023 that is 0.03 + 0.08 LSB, and the stages behind add
 //! [`super::phong::ERROR_LSB`], 0.05: faithful, since the half for rounding to nearest comes on top.
 
+use super::load_lanes::{self, LanePort, Lanes, OneLane, Rest};
 use super::phong::colour::PhongColour;
 use super::phong::fragment_delay::FragmentDelay;
 use super::pixel_stream::PixelStream;
@@ -50,6 +51,8 @@ pub struct QuadraticDotsCore<const N: usize, const B: usize, const A: usize> {
     pub clear: Signal<In, Bit>,
     /// The pixel is taken.
     pub ready: Signal<In, Bit>,
+    /// The further lanes of the load port.
+    pub lanes: LanePort<B>,
     /// Register words may be written.
     pub load_ready: Signal<Out, Bit>,
     /// A visible pixel is offered; held until `ready`.
@@ -119,6 +122,7 @@ impl<const N: usize, const B: usize, const A: usize> QuadraticDotsCore<N, B, A> 
             start: Default::default(),
             clear: Default::default(),
             ready: Default::default(),
+            lanes: Default::default(),
             load_ready: Default::default(),
             valid: Default::default(),
             x: Default::default(),
@@ -150,16 +154,12 @@ impl<const N: usize, const B: usize, const A: usize> QuadraticDotsCore<N, B, A> 
     }
 }
 
-impl<const N: usize, const B: usize, const A: usize> Logic for QuadraticDotsCore<N, B, A> {
+/// One word per clock: `select` is decoded for all targets.
+impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<OneLane>
+    for QuadraticDotsCore<N, B, A>
+{
     #[hdl_gen]
     fn update(&mut self) {
-        comment!("name quadratic_dots_core");
-        comment!("title Quadratic dot products, the reflection model per pixel, depth test, pixel stream.");
-        comment!("equation I = ambient + diffuse max(0, N.L) + specular max(0, N.H)^n; N.L and N.H quadratic in x and y");
-        comment!("source Six-knot quadrics of Abbas 2003, chapter 7, of the dot products instead of the colours.");
-        comment!("latency Eleven clocks from start to the first pixel; then one pixel per clock.");
-        dff_setup!(self, clock, draining);
-        // Register file.
         self.open.next = self.shell.load_ready.val() && !self.draining.q.val();
         self.accept.next = self.write.val() && self.open.val();
         self.word.next = self.select.val().get_bits::<4>(0);
@@ -168,6 +168,57 @@ impl<const N: usize, const B: usize, const A: usize> Logic for QuadraticDotsCore
         self.fence.next =
             self.accept.val() && self.selects_shell.val() && (self.word.val() == 12u64.into());
         self.bus_32.next = bit_cast_u::<32, B>(self.data.val());
+        self.shell.word.next = self.word.val();
+        self.shell.data.next = self.bus_32.val();
+        self.light.word.next = self.word.val();
+        self.light.data.next = self.data.val();
+        self.lobe.word.next = self.word.val();
+        self.lobe.data.next = self.data.val();
+        self.depth_value.word.next = self.word.val();
+        self.depth_value.data.next = self.bus_32.val();
+        self.colour.word.next = self.word.val();
+        self.colour.data.next = self.bus_32.val();
+    }
+}
+
+/// Several words per clock: each target has its own.
+impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<Lanes>
+    for QuadraticDotsCore<N, B, A>
+{
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.open.next = self.shell.load_ready.val() && !self.draining.q.val();
+        self.accept.next = self.open.val();
+        self.word.next = self.lanes.shell_word.val();
+        self.targets.next = self.lanes.channels.val();
+        self.selects_shell.next = self.lanes.shell_write.val();
+        self.fence.next =
+            self.accept.val() && self.selects_shell.val() && (self.word.val() == 12u64.into());
+        self.bus_32.next = bit_cast_u::<32, B>(self.lanes.shell_data.val());
+        self.shell.word.next = self.word.val();
+        self.shell.data.next = self.bus_32.val();
+        self.light.word.next = self.lanes.first_word.val();
+        self.light.data.next = self.lanes.first_data.val();
+        self.lobe.word.next = self.lanes.second_word.val();
+        self.lobe.data.next = self.lanes.second_data.val();
+        self.depth_value.word.next = self.lanes.fourth_word.val();
+        self.depth_value.data.next = bit_cast_u::<32, B>(self.lanes.fourth_data.val());
+        self.colour.word.next = self.lanes.third_word.val();
+        self.colour.data.next = bit_cast_u::<32, B>(self.lanes.third_data.val());
+    }
+}
+
+impl<const N: usize, const B: usize, const A: usize> load_lanes::Part<Rest>
+    for QuadraticDotsCore<N, B, A>
+{
+    #[hdl_gen]
+    fn update(&mut self) {
+        comment!("name quadratic_dots_core");
+        comment!("title Quadratic dot products, the reflection model per pixel, depth test, pixel stream.");
+        comment!("equation I = ambient + diffuse max(0, N.L) + specular max(0, N.H)^n; N.L and N.H quadratic in x and y");
+        comment!("source Six-knot quadrics of Abbas 2003, chapter 7, of the dot products instead of the colours.");
+        comment!("latency Eleven clocks from start to the first pixel; then one pixel per clock.");
+        dff_setup!(self, clock, draining);
         self.walking.next = self.shell.busy.val() || self.early.busy.val() || self.late.busy.val();
         if self.fence.val() {
             self.draining.d.next = true;
@@ -177,16 +228,12 @@ impl<const N: usize, const B: usize, const A: usize> Logic for QuadraticDotsCore
 
         self.shell.clock.next = self.clock.val();
         self.shell.write.next = self.accept.val() && self.selects_shell.val();
-        self.shell.word.next = self.word.val();
-        self.shell.data.next = self.bus_32.val();
         self.shell.start.next = self.start.val() && self.open.val();
         self.shell.hold.next = self.stream.clearing.val();
         self.shell.go.next = self.stream.go.val();
 
         self.light.clock.next = self.clock.val();
         self.light.write.next = self.accept.val() && self.targets.val().get_bit(0);
-        self.light.word.next = self.word.val();
-        self.light.data.next = self.data.val();
         self.light.load.next = self.shell.load.val();
         self.light.step.next = self.shell.step.val();
         self.light.carry.next = self.shell.carry.val();
@@ -195,8 +242,6 @@ impl<const N: usize, const B: usize, const A: usize> Logic for QuadraticDotsCore
 
         self.lobe.clock.next = self.clock.val();
         self.lobe.write.next = self.accept.val() && self.targets.val().get_bit(1);
-        self.lobe.word.next = self.word.val();
-        self.lobe.data.next = self.data.val();
         self.lobe.load.next = self.shell.load.val();
         self.lobe.step.next = self.shell.step.val();
         self.lobe.carry.next = self.shell.carry.val();
@@ -205,8 +250,6 @@ impl<const N: usize, const B: usize, const A: usize> Logic for QuadraticDotsCore
 
         self.depth_value.clock.next = self.clock.val();
         self.depth_value.write.next = self.accept.val() && self.targets.val().get_bit(3);
-        self.depth_value.word.next = self.word.val();
-        self.depth_value.data.next = self.bus_32.val();
         self.depth_value.load.next = self.shell.load.val();
         self.depth_value.step.next = self.shell.step.val();
         self.depth_value.carry.next = self.shell.carry.val();
@@ -216,8 +259,6 @@ impl<const N: usize, const B: usize, const A: usize> Logic for QuadraticDotsCore
         self.colour.clock.next = self.clock.val();
         self.colour.go.next = self.stream.go.val();
         self.colour.write.next = self.accept.val() && self.targets.val().get_bit(2);
-        self.colour.word.next = self.word.val();
-        self.colour.data.next = self.bus_32.val();
         self.colour.light.next = self.light.value.val();
         self.colour.place.next = self.lobe.value.val();
 
@@ -263,6 +304,5 @@ impl<const N: usize, const B: usize, const A: usize> Logic for QuadraticDotsCore
     }
 }
 
-crate::clocked!(QuadraticDotsCore<N, B, A>, const N: usize, const B: usize, const A: usize;
-    inputs write, select, data, start, clear, ready;
+crate::lane_core!(QuadraticDotsCore<N, B, A>, const N: usize, const B: usize, const A: usize;
     outputs load_ready, valid, x, y, red, green, blue, depth, busy, done);

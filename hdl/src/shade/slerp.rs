@@ -6,6 +6,7 @@
 //! See the parts; [`super::span_bound`] adds them up: a quarter of an LSB for colours of 255 LSB, exponents up to 128 and
 //! spans of any length that a frame may have.
 
+use super::load_lanes::{self, LanePort, Lanes, OneLane, Rest};
 use crate::format::U;
 use crate::interpolate::linear_span::LinearSpan;
 use crate::lit::clamp::ClampFactor;
@@ -36,6 +37,8 @@ pub struct SlerpCore<const A: usize> {
     pub clear: Signal<In, Bit>,
     /// The pixel is taken.
     pub ready: Signal<In, Bit>,
+    /// The further lanes of the load port.
+    pub lanes: LanePort<32>,
     /// Register words may be written.
     pub load_ready: Signal<Out, Bit>,
     /// A visible pixel is offered; held until `ready`.
@@ -98,6 +101,7 @@ impl<const A: usize> SlerpCore<A> {
             start: Default::default(),
             clear: Default::default(),
             ready: Default::default(),
+            lanes: Default::default(),
             load_ready: Default::default(),
             valid: Default::default(),
             x: Default::default(),
@@ -126,7 +130,53 @@ impl<const A: usize> SlerpCore<A> {
     }
 }
 
-impl<const A: usize> Logic for SlerpCore<A> {
+/// One word per clock: `select` is decoded for all targets.
+impl<const A: usize> load_lanes::Part<OneLane> for SlerpCore<A> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.accept.next = self.write.val() && self.shell.load_ready.val();
+        self.word.next = self.select.val().get_bits::<4>(0);
+        self.targets.next = self.select.val().get_bits::<4>(4);
+        self.selects_shell.next = self.accept.val() && !self.targets.val().any();
+        self.shell.word.next = self.word.val();
+        self.shell.data.next = self.data.val();
+        self.loader.word.next = self.word.val();
+        self.loader.data.next = self.data.val();
+        self.depth_value.word.next = self.word.val();
+        self.depth_value.data.next = self.data.val();
+        self.light.word.next = self.word.val();
+        self.light.data.next = self.data.val();
+        self.half.word.next = self.word.val();
+        self.half.data.next = self.data.val();
+        self.highlight.write_data.next = self.data.val();
+        self.stream.data.next = self.data.val();
+    }
+}
+
+/// Several words per clock: each target has its own.
+impl<const A: usize> load_lanes::Part<Lanes> for SlerpCore<A> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.accept.next = self.shell.load_ready.val();
+        self.word.next = self.lanes.shell_word.val();
+        self.targets.next = self.lanes.channels.val();
+        self.selects_shell.next = self.accept.val() && self.lanes.shell_write.val();
+        self.shell.word.next = self.word.val();
+        self.shell.data.next = self.lanes.shell_data.val();
+        self.loader.word.next = self.word.val();
+        self.loader.data.next = self.lanes.shell_data.val();
+        self.depth_value.word.next = self.lanes.fourth_word.val();
+        self.depth_value.data.next = self.lanes.fourth_data.val();
+        self.light.word.next = self.lanes.first_word.val();
+        self.light.data.next = self.lanes.first_data.val();
+        self.half.word.next = self.lanes.second_word.val();
+        self.half.data.next = self.lanes.second_data.val();
+        self.highlight.write_data.next = self.lanes.shell_data.val();
+        self.stream.data.next = self.lanes.shell_data.val();
+    }
+}
+
+impl<const A: usize> load_lanes::Part<Rest> for SlerpCore<A> {
     #[hdl_gen]
     fn update(&mut self) {
         comment!("name slerp_core");
@@ -134,36 +184,23 @@ impl<const A: usize> Logic for SlerpCore<A> {
         comment!("equation I = ambient + diffuse max(0, N.L) + highlight max(0, N.H)^n, both cosines by d -= kappa I, I += d");
         comment!("source Hast 2004, section 3.2 and equations 3.38 to 3.45, in difference form; Hast, Barrera and Bengtsson 2003.");
         comment!("latency Nine clocks from start to the first pixel; then one pixel per clock.");
-        // Register file.
-        self.accept.next = self.write.val() && self.shell.load_ready.val();
-        self.word.next = self.select.val().get_bits::<4>(0);
-        self.targets.next = self.select.val().get_bits::<4>(4);
-        self.selects_shell.next = self.accept.val() && !self.targets.val().any();
         self.selects_diffuse.next = self.accept.val() && self.targets.val().get_bit(0);
         self.selects_highlight.next = self.accept.val() && self.targets.val().get_bit(1);
         self.shell.clock.next = self.clock.val();
         self.shell.write.next = self.selects_shell.val();
-        self.shell.word.next = self.word.val();
-        self.shell.data.next = self.data.val();
         self.shell.start.next = self.start.val();
         self.shell.hold.next = self.stream.clearing.val();
         self.shell.go.next = self.stream.go.val();
         self.loader.clock.next = self.clock.val();
         self.loader.write.next = self.selects_shell.val();
-        self.loader.word.next = self.word.val();
-        self.loader.data.next = self.data.val();
         self.depth_value.clock.next = self.clock.val();
         self.depth_value.write.next = self.accept.val() && self.targets.val().get_bit(3);
-        self.depth_value.word.next = self.word.val();
-        self.depth_value.data.next = self.data.val();
         self.depth_value.take.next = self.shell.take.val();
         self.depth_value.run.next = self.shell.run.val();
 
         // N.L and its factor.
         self.light.clock.next = self.clock.val();
         self.light.write.next = self.selects_diffuse.val();
-        self.light.word.next = self.word.val();
-        self.light.data.next = self.data.val();
         self.light.take.next = self.shell.take.val();
         self.light.run.next = self.shell.run.val();
         self.diffuse.clock.next = self.clock.val();
@@ -173,8 +210,6 @@ impl<const A: usize> Logic for SlerpCore<A> {
         // N.H and its power.
         self.half.clock.next = self.clock.val();
         self.half.write.next = self.selects_highlight.val();
-        self.half.word.next = self.word.val();
-        self.half.data.next = self.data.val();
         self.half.take.next = self.shell.take.val();
         self.half.run.next = self.shell.run.val();
         self.highlight.clock.next = self.clock.val();
@@ -184,7 +219,6 @@ impl<const A: usize> Logic for SlerpCore<A> {
         self.highlight.material.next = self.shell.material.val();
         self.highlight.write.next = self.loader.write_highlight.val();
         self.highlight.write_address.next = self.loader.address.val().get_bits::<10>(0);
-        self.highlight.write_data.next = self.data.val();
 
         // Colours and pixels.
         self.stream.clock.next = self.clock.val();
@@ -200,7 +234,6 @@ impl<const A: usize> Logic for SlerpCore<A> {
         self.stream.diffuse.next = self.diffuse.factor.val();
         self.stream.highlight.next = self.highlight.factor.val();
         self.stream.write_colour.next = self.loader.write_colour.val();
-        self.stream.data.next = self.data.val();
         self.load_ready.next = self.shell.load_ready.val();
         self.valid.next = self.stream.valid.val();
         self.x.next = self.stream.x.val();
@@ -214,6 +247,5 @@ impl<const A: usize> Logic for SlerpCore<A> {
     }
 }
 
-crate::clocked!(SlerpCore<A>, const A: usize;
-    inputs write, select, data, start, clear, ready;
+crate::lane_core!(SlerpCore<A>, const A: usize;
     outputs load_ready, valid, x, y, red, green, blue, depth, busy, done);

@@ -2,7 +2,7 @@
 
 use super::blake::BlakeCore;
 use super::chebyshev::ChebyshevCore;
-use super::device::DesignVisitor;
+use super::device::{laned, Core, DesignVisitor};
 use super::slerp::SlerpCore;
 use super::span_bound::error_bound;
 use super::spherical::SphericalCore;
@@ -58,23 +58,19 @@ impl SpanKind {
     }
 
     /// Calls `f` with the description for frame addresses of `A` bits.
-    pub(super) fn with_design<const A: usize, R>(
-        self,
-        pixels: usize,
-        f: impl DesignVisitor<R>,
-    ) -> R {
+    pub(super) fn with_design<const A: usize, R>(self, core: &Core, f: impl DesignVisitor<R>) -> R {
         match self {
-            Self::Slerp => f.visit(SlerpCore::<A>::new(pixels)),
-            Self::Chebyshev => f.visit(ChebyshevCore::<A>::new(pixels)),
-            Self::Blake | Self::BlakeRefit => f.visit(BlakeCore::<A>::new(pixels)),
+            Self::Slerp => laned!(core, f, SlerpCore<A>),
+            Self::Chebyshev => laned!(core, f, ChebyshevCore<A>),
+            Self::Blake | Self::BlakeRefit => laned!(core, f, BlakeCore<A>),
             Self::Spherical(bits) | Self::SphericalPower(bits) => match bits {
-                0..=4 => f.visit(Spherical4::<A>::new(pixels)),
-                5 => f.visit(Spherical5::<A>::new(pixels)),
-                6 => f.visit(Spherical6::<A>::new(pixels)),
-                7 => f.visit(Spherical7::<A>::new(pixels)),
-                8 => f.visit(Spherical8::<A>::new(pixels)),
-                9 => f.visit(Spherical9::<A>::new(pixels)),
-                _ => f.visit(Spherical10::<A>::new(pixels)),
+                0..=4 => laned!(core, f, Spherical4<A>),
+                5 => laned!(core, f, Spherical5<A>),
+                6 => laned!(core, f, Spherical6<A>),
+                7 => laned!(core, f, Spherical7<A>),
+                8 => laned!(core, f, Spherical8<A>),
+                9 => laned!(core, f, Spherical9<A>),
+                _ => laned!(core, f, Spherical10<A>),
             },
         }
     }

@@ -1,6 +1,7 @@
 //! Integer model of the span cores, clock by clock.
 
 use super::model::{CoreInputs, CoreOutputs};
+use super::pace::Pace;
 use super::span_core::SpanKind;
 use crate::interpolate::linear_span::LinearSpanModel;
 use crate::interpolate::quadratic_span::QuadraticSpanModel;
@@ -144,19 +145,31 @@ impl SpanModel {
         self.stream.ordinal()
     }
 
-    /// One clock edge.
-    pub fn clock(&mut self, i: &CoreInputs) {
-        let accept = i.write && !self.shell.pending;
-        let (word, data) = (usize::from(i.select & 15), i.data & 0xffff_ffff);
-        let targets = i.select >> 4;
-        let write = |bit: u8| (accept && targets >> bit & 1 == 1).then_some((word, data));
-        let frame = (accept && targets == 0).then_some((word, data));
-        let si = SpanShellInputs {
-            write: frame,
+    fn shell_inputs(&self, i: &CoreInputs, write: Option<(usize, u64)>) -> SpanShellInputs {
+        SpanShellInputs {
+            write,
             start: i.start,
             hold: self.stream.clearing(),
             go: self.stream.go(i.ready),
+        }
+    }
+
+    /// What a clock with these inputs is spent on.
+    #[must_use]
+    pub fn pace(&self, i: &CoreInputs) -> Pace {
+        self.shell.pace(&self.shell_inputs(i, None))
+    }
+
+    /// One clock edge.
+    pub fn clock(&mut self, i: &CoreInputs) {
+        let accept = !self.shell.pending;
+        let to = |target: usize| {
+            let word = i.word_for(target).filter(|_| accept);
+            word.map(|(word, data)| (word, data & 0xffff_ffff))
         };
+        let write = |bit: usize| to(1 + bit);
+        let frame = to(0);
+        let si = self.shell_inputs(i, frame);
         let (take, run) = self.shell.controls(&si);
         let p = self.shell.pixel;
         self.stream.clock(&LitStreamInputs {

@@ -11,6 +11,7 @@
 //! (bins of centre values, by K: 17.6, 9.1, 4.7, 2.6, 1.2, 0.6, 0.3 LSB of full scale for cos²), and what the phase may
 //! add where it misses a bin by its rounding: 1/32 of the step between two words.
 
+use super::load_lanes::{self, LanePort, Lanes, OneLane, Rest};
 use crate::format::{bit_cast_u, U};
 use crate::interpolate::linear_span::LinearSpan;
 use crate::lit::angle::AngleFactor;
@@ -47,6 +48,8 @@ pub struct SphericalCore<
     pub clear: Signal<In, Bit>,
     /// The pixel is taken.
     pub ready: Signal<In, Bit>,
+    /// The further lanes of the load port.
+    pub lanes: LanePort<32>,
     /// Register words may be written.
     pub load_ready: Signal<Out, Bit>,
     /// A visible pixel is offered; held until `ready`.
@@ -121,6 +124,7 @@ impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: us
             start: Default::default(),
             clear: Default::default(),
             ready: Default::default(),
+            lanes: Default::default(),
             load_ready: Default::default(),
             valid: Default::default(),
             x: Default::default(),
@@ -152,8 +156,62 @@ impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: us
     }
 }
 
-impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: usize> Logic
-    for SphericalCore<A, K, M, P, H>
+/// One word per clock: `select` is decoded for all targets.
+impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: usize>
+    load_lanes::Part<OneLane> for SphericalCore<A, K, M, P, H>
+{
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.accept.next = self.write.val() && self.shell.load_ready.val();
+        self.word.next = self.select.val().get_bits::<4>(0);
+        self.targets.next = self.select.val().get_bits::<4>(4);
+        self.selects_shell.next = self.accept.val() && !self.targets.val().any();
+        self.selects_diffuse.next = self.accept.val() && self.targets.val().get_bit(0);
+        self.selects_highlight.next = self.accept.val() && self.targets.val().get_bit(1);
+        self.shell.word.next = self.word.val();
+        self.shell.data.next = self.data.val();
+        self.loader.word.next = self.word.val();
+        self.loader.data.next = self.data.val();
+        self.depth_value.word.next = self.word.val();
+        self.depth_value.data.next = self.data.val();
+        self.diffuse.word.next = self.word.val();
+        self.diffuse.data.next = self.data.val();
+        self.bus_word.next = self.data.val().get_bits::<K>(0);
+        self.highlight.word.next = self.word.val();
+        self.highlight.data.next = self.data.val();
+        self.stream.data.next = self.data.val();
+    }
+}
+
+/// Several words per clock: each target has its own.
+impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: usize>
+    load_lanes::Part<Lanes> for SphericalCore<A, K, M, P, H>
+{
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.accept.next = self.shell.load_ready.val();
+        self.word.next = self.lanes.shell_word.val();
+        self.targets.next = self.lanes.channels.val();
+        self.selects_shell.next = self.accept.val() && self.lanes.shell_write.val();
+        self.selects_diffuse.next = self.accept.val() && self.targets.val().get_bit(0);
+        self.selects_highlight.next = self.accept.val() && self.targets.val().get_bit(1);
+        self.shell.word.next = self.word.val();
+        self.shell.data.next = self.lanes.shell_data.val();
+        self.loader.word.next = self.word.val();
+        self.loader.data.next = self.lanes.shell_data.val();
+        self.depth_value.word.next = self.lanes.fourth_word.val();
+        self.depth_value.data.next = self.lanes.fourth_data.val();
+        self.diffuse.word.next = self.lanes.first_word.val();
+        self.diffuse.data.next = self.lanes.first_data.val();
+        self.bus_word.next = self.lanes.shell_data.val().get_bits::<K>(0);
+        self.highlight.word.next = self.lanes.second_word.val();
+        self.highlight.data.next = self.lanes.second_data.val();
+        self.stream.data.next = self.lanes.shell_data.val();
+    }
+}
+
+impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: usize>
+    load_lanes::Part<Rest> for SphericalCore<A, K, M, P, H>
 {
     #[hdl_gen]
     fn update(&mut self) {
@@ -165,28 +223,15 @@ impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: us
         comment!("source Abbas 2003, chapter 6, equations 6.6 to 6.11 and figure 6.6; phase widened, nothing wraps.");
         comment!("latency Nine clocks from start to the first pixel; then one pixel per clock.");
         dff_setup!(self, clock, material_first);
-        // Register file.
-        self.accept.next = self.write.val() && self.shell.load_ready.val();
-        self.word.next = self.select.val().get_bits::<4>(0);
-        self.targets.next = self.select.val().get_bits::<4>(4);
-        self.selects_shell.next = self.accept.val() && !self.targets.val().any();
-        self.selects_diffuse.next = self.accept.val() && self.targets.val().get_bit(0);
-        self.selects_highlight.next = self.accept.val() && self.targets.val().get_bit(1);
         self.shell.clock.next = self.clock.val();
         self.shell.write.next = self.selects_shell.val();
-        self.shell.word.next = self.word.val();
-        self.shell.data.next = self.data.val();
         self.shell.start.next = self.start.val();
         self.shell.hold.next = self.stream.clearing.val();
         self.shell.go.next = self.stream.go.val();
         self.loader.clock.next = self.clock.val();
         self.loader.write.next = self.selects_shell.val();
-        self.loader.word.next = self.word.val();
-        self.loader.data.next = self.data.val();
         self.depth_value.clock.next = self.clock.val();
         self.depth_value.write.next = self.accept.val() && self.targets.val().get_bit(3);
-        self.depth_value.word.next = self.word.val();
-        self.depth_value.data.next = self.data.val();
         self.depth_value.take.next = self.shell.take.val();
         self.depth_value.run.next = self.shell.run.val();
 
@@ -194,11 +239,8 @@ impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: us
         self.diffuse.clock.next = self.clock.val();
         self.diffuse.go.next = self.stream.go.val();
         self.diffuse.write.next = self.selects_diffuse.val();
-        self.diffuse.word.next = self.word.val();
-        self.diffuse.data.next = self.data.val();
         self.diffuse.take.next = self.shell.take.val();
         self.diffuse.run.next = self.shell.run.val();
-        self.bus_word.next = self.data.val().get_bits::<K>(0);
         self.cosines.clock.next = self.clock.val();
         self.cosines.read.next = self.stream.go.val();
         self.cosines.read_address.next = self.diffuse.address.val();
@@ -211,8 +253,6 @@ impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: us
         self.highlight.clock.next = self.clock.val();
         self.highlight.go.next = self.stream.go.val();
         self.highlight.write.next = self.selects_highlight.val();
-        self.highlight.word.next = self.word.val();
-        self.highlight.data.next = self.data.val();
         self.highlight.take.next = self.shell.take.val();
         self.highlight.run.next = self.shell.run.val();
         if self.stream.go.val() {
@@ -242,7 +282,6 @@ impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: us
         self.stream.diffuse.next = self.diffuse.factor.val();
         self.stream.highlight.next = self.highlight.factor.val();
         self.stream.write_colour.next = self.loader.write_colour.val();
-        self.stream.data.next = self.data.val();
         self.load_ready.next = self.shell.load_ready.val();
         self.valid.next = self.stream.valid.val();
         self.x.next = self.stream.x.val();
@@ -256,6 +295,5 @@ impl<const A: usize, const K: usize, const M: usize, const P: usize, const H: us
     }
 }
 
-crate::clocked!(SphericalCore<A, K, M, P, H>, const A: usize, const K: usize, const M: usize, const P: usize, const H: usize;
-    inputs write, select, data, start, clear, ready;
+crate::lane_core!(SphericalCore<A, K, M, P, H>, const A: usize, const K: usize, const M: usize, const P: usize, const H: usize;
     outputs load_ready, valid, x, y, red, green, blue, depth, busy, done);

@@ -54,6 +54,7 @@ fn run(core: Core, seed: u64, clocks: usize) {
             start: r.random_ratio(1, 12),
             clear: r.random_ratio(1, 2000),
             ready: r.random_ratio(7, 8),
+            ..CoreInputs::default()
         };
         s.clock(&i);
         m.clock(&i);
@@ -72,6 +73,7 @@ fn small(filter: Filter, wide: bool) -> Core {
         order: Order::Line(filter),
         wide,
         pixels: 1200,
+        load_words: 1,
     }
 }
 
