@@ -7,6 +7,7 @@ pub mod scene;
 pub mod setup;
 pub mod simulators;
 pub mod spans;
+pub mod spent;
 pub mod stimulus;
 pub mod vectors;
 pub mod verilog;

@@ -8,10 +8,15 @@
 //! | flags after the edge | done, busy, valid, load_ready |
 //! | pixel after the edge | depth\[15:0\], blue\[7:0\], green\[7:0\], red\[7:0\], y\[10:0\], x\[10:0\] |
 //!
+//! A core that takes several register words per clock has a word more for each further lane, at the end of the line:
+//! write, select\[7:0\], data\[B-1:0\].
+//!
 //! Any simulator that drives the first word and compares the other two replays the run; nothing else is needed.
 
+use crate::spent::Spent;
 use crate::stimulus::{Host, Step, Stimulus};
 use shadegate_hdl::shade::device::Core;
+use shadegate_hdl::shade::lanes::Lane;
 use shadegate_hdl::shade::model::{CoreInputs, CoreOutputs};
 use std::fmt::Write;
 
@@ -52,6 +57,8 @@ pub struct Trace {
     pub pixels: Vec<Pixel>,
     /// Clocks from the first register write of a triangle to `done`, both included.
     pub cycles: u64,
+    /// What these clocks were spent on.
+    pub spent: Spent,
     /// Register writes.
     pub writes: u64,
 }
@@ -79,6 +86,13 @@ pub fn pack_inputs(i: &CoreInputs, bus_bits: usize) -> u64 {
     })
 }
 
+/// A further lane as a word of a line.
+#[must_use]
+pub fn pack_lane(lane: &Lane, bus_bits: usize) -> u64 {
+    let data = lane.data & ((1 << bus_bits) - 1);
+    u64::from(lane.write) << (bus_bits + 8) | u64::from(lane.select) << bus_bits | data
+}
+
 /// The outputs as the second and third word of a line.
 #[must_use]
 pub fn pack_outputs(o: &CoreOutputs) -> (u64, u64) {
@@ -102,18 +116,24 @@ impl Trace {
     #[must_use]
     pub fn record(core: Core, stimulus: &Stimulus, mut ready: impl FnMut(u64) -> bool) -> Self {
         let mut model = core.model();
-        let mut host = Host::new(stimulus);
+        let mut host = Host::with_lanes(stimulus, core.load_words);
         let mut outputs = model.outputs();
         let mut trace = Self {
             core,
             clocks: vec![],
             pixels: vec![],
             cycles: 0,
+            spent: Spent::default(),
             writes: 0,
         };
+        let mut spent = Spent::default();
         let mut first = None;
         let mut clock = 0;
-        while let Step::Drive(inputs) = host.step(&outputs, ready(clock)) {
+        loop {
+            let sent = host.sent();
+            let Step::Drive(inputs) = host.step(&outputs, ready(clock)) else {
+                break;
+            };
             if outputs.valid && inputs.ready {
                 let triangle = stimulus.primitives[model.ordinal() as usize - 1].triangle;
                 let CoreOutputs {
@@ -132,12 +152,16 @@ impl Trace {
             if first.is_none() && !frame_write && (inputs.write || inputs.start) {
                 first = Some(clock);
             }
-            trace.writes += u64::from(inputs.write);
+            trace.writes += inputs.writes();
+            if first.is_some() {
+                spent.count(model.pace(&inputs), outputs.load_ready && !sent);
+            }
             model.clock(&inputs);
             outputs = model.outputs();
             trace.clocks.push(Clock { inputs, outputs });
             if outputs.done {
                 trace.cycles = clock + 1 - first.unwrap_or(clock);
+                trace.spent = spent;
             }
             clock += 1;
         }
@@ -150,17 +174,24 @@ impl Trace {
         let bits = self.core.bus_bits();
         let mut out = format!(
             "# Vectors for the {} core: one clock per line.\n# inputs {{ready, clear, start, write, select[7:0], data[{}:0]}}, \
-             flags {{done, busy, valid, load_ready}}, pixel {{depth, blue, green, red, y, x}}\n",
+             flags {{done, busy, valid, load_ready}}, pixel {{depth, blue, green, red, y, x}}{}\n",
             self.core.name(),
-            bits - 1
+            bits - 1,
+            (1..self.core.load_words)
+                .map(|k| format!(", lane {k} {{write, select, data}}"))
+                .collect::<String>()
         );
         for c in &self.clocks {
             let (flags, pixel) = pack_outputs(&c.outputs);
-            let _ = writeln!(
+            let _ = write!(
                 out,
                 "{:x} {flags:x} {pixel:x}",
                 pack_inputs(&c.inputs, bits)
             );
+            for lane in &c.inputs.more[..self.core.load_words - 1] {
+                let _ = write!(out, " {:x}", pack_lane(lane, bits));
+            }
+            out.push('\n');
         }
         out
     }

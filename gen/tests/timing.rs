@@ -70,6 +70,7 @@ fn the_description_does_what_the_diagram_shows() {
                     start: bit("start", clock),
                     clear: false,
                     ready: bit("ready", clock),
+                    ..CoreInputs::default()
                 };
                 assert_eq!(shown, *sent, "{case:?} clock {clock}");
                 for (name, level) in [

@@ -3,6 +3,7 @@
 use super::{Input, Output, Simulator};
 use crate::netlist::{collect, NetlistError};
 use shadegate_hdl::shade::device::{Core, CoreSimulator};
+use shadegate_hdl::shade::lanes::LANE_PORTS;
 use shadegate_hdl::shade::model::{CoreInputs, CoreOutputs};
 
 /// A compiled core.
@@ -14,6 +15,8 @@ pub struct CompiledCore {
     start: Input,
     clear: Input,
     ready: Input,
+    /// Write, select and data of each further lane.
+    lanes: Vec<[Input; 3]>,
     load_ready: Output,
     valid: Output,
     x: Output,
@@ -44,6 +47,11 @@ impl CompiledCore {
         let unknown = |e: super::UnknownSignal| NetlistError::new("core", e.to_string());
         let input = |name: &str| s.input(name).map_err(unknown);
         let output = |name: &str| s.output(name).map_err(unknown);
+        let lane = |names: [&str; 3]| {
+            let [write, select, data] = names.map(|n| s.input(n).ok());
+            Some([write?, select?, data?])
+        };
+        let lanes = LANE_PORTS.into_iter().map_while(lane);
         Ok(Self {
             write: input("write")?,
             select: input("select")?,
@@ -51,6 +59,7 @@ impl CompiledCore {
             start: input("start")?,
             clear: input("clear")?,
             ready: input("ready")?,
+            lanes: lanes.collect(),
             load_ready: output("load_ready")?,
             valid: output("valid")?,
             x: output("x")?,
@@ -75,6 +84,11 @@ impl CompiledCore {
         s.set(self.start, u128::from(i.start));
         s.set(self.clear, u128::from(i.clear));
         s.set(self.ready, u128::from(i.ready));
+        for ([write, select, data], lane) in self.lanes.iter().zip(&i.more) {
+            s.set(*write, u128::from(lane.write));
+            s.set(*select, u128::from(lane.select));
+            s.set(*data, u128::from(lane.data));
+        }
         s.clock();
     }
 

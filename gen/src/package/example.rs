@@ -3,6 +3,7 @@
 use super::timing::{cosines, material};
 use crate::stimulus::{build, single_line, StimulusError, StimulusOptions, Triangle};
 use shadegate_hdl::shade::device::Core;
+use shadegate_hdl::shade::lanes::LANE_PORTS;
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::raster::{Point, Viewport, SUBPIXELS};
 use std::fmt::Write;
@@ -40,6 +41,16 @@ fn triangle(order: Order, (width, height): (u32, u32)) -> Triangle {
         material: material(order),
         label: "example".to_owned(),
     }
+}
+
+/// The connections of further lanes, which the example leaves idle.
+fn idle_lanes(core: &Core) -> String {
+    let b = core.bus_bits();
+    let ports = LANE_PORTS[..core.load_words - 1].iter();
+    let idle = |[write, select, data]: &[&str; 3]| {
+        format!("    .{write}(1'b0),\n    .{select}(8'd0),\n    .{data}({b}'d0),\n")
+    };
+    ports.map(idle).collect()
 }
 
 /// Text of `example/<top>_example.v`.
@@ -157,7 +168,7 @@ module {top}_example (
     .start(writing && {start}),
     .clear(begins),
     .ready(1'b1),
-    .load_ready(load_ready),
+{lane_lines}    .load_ready(load_ready),
     .valid(frame_write),
     .x(x),
     .y(y),
@@ -175,6 +186,7 @@ endmodule
 ",
         top_bit = b + 7,
         reset_line = if reset { "    .reset(1'b0),\n" } else { "" },
+        lane_lines = idle_lanes(core),
         word_bits = b + 8 + usize::from(span),
         word_top = b + 7 + usize::from(span),
         high = bits - 1,

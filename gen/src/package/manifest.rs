@@ -76,6 +76,8 @@ pub struct Manifest {
     pub ports: Vec<PortEntry>,
     /// Register words.
     pub registers: Vec<Register>,
+    /// Register words per clock.
+    pub load_words: usize,
     /// Bus wrappers, or null.
     pub wrappers: Option<Wrappers>,
     /// Formats by signal class: colour, depth, column, error term.
@@ -181,6 +183,7 @@ pub fn manifest(
         sha256: files.iter().map(sum).collect(),
         ports: ports.collect(),
         registers: registers(core),
+        load_words: core.load_words,
         wrappers,
         formats,
         latency: core.latency(),

@@ -59,6 +59,9 @@ pub enum PackageError {
     /// Device, board, period or bindings do not fit.
     #[error(transparent)]
     Constraints(#[from] ConstraintError),
+    /// Bus wrappers have one register bus.
+    #[error("bus wrappers write one register word per clock, and the core takes {0}; leave out the wrappers, or take 1 load word")]
+    LoadWords(usize),
     /// A primitive of the package's own cannot be drawn: a defect of the generator.
     #[error("the package's example cannot be set up: {0}")]
     Example(#[from] StimulusError),
@@ -224,6 +227,9 @@ pub fn package_with(
     let (target, mut wrappers) = (options.target, options.wrappers.to_vec());
     wrappers.sort_unstable();
     wrappers.dedup();
+    if core.load_words > 1 && !wrappers.is_empty() {
+        return Err(PackageError::LoadWords(core.load_words));
+    }
     let top = format!("{}_core", core.module());
     let stamp = stamp(&rtl.configuration);
     let paths = rtl.files.iter().map(|f| format!("rtl/{}", f.file_name()));

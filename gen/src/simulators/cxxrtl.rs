@@ -3,7 +3,7 @@
 //! A step of CXXRTL evaluates the flattened design once: registers take their values at the rising edge, and what
 //! follows from them is seen by the next step, which is that of the falling edge. So a clock is high first, then low.
 
-use super::replay::{drive, observe, program, Device};
+use super::replay::{clock_head, drive, observe, program, Device};
 use shadegate_hdl::shade::device::Core;
 
 /// How CXXRTL spells a name of Verilog.
@@ -18,12 +18,14 @@ fn mangled(name: &str) -> String {
 pub fn cxxrtl_main(core: &Core) -> String {
     let name = core.module();
     let top = mangled(&format!("{name}_core"));
+    let head = clock_head(core, " number");
     let drive = drive(core, |port, value| {
         format!("core.{}.set<uint64_t>({value});", mangled(port))
     });
     let observe = observe(|port| format!("core.{}.get<uint64_t>()", mangled(port)));
     program(&Device {
         ready: core.bus_bits() + 11,
+        lanes: core.load_words - 1,
         prologue: String::new(),
         heading: format!(
             "// Replays a vector file on the CXXRTL model of {name}_core and compares every output in every clock.\n\
@@ -82,8 +84,7 @@ pub fn cxxrtl_main(core: &Core) -> String {
   bool finish() {{ return true; }}
 #endif
 
-  void clock(size_t number, uint64_t inputs) {{
-{drive}    core.p_clock.set<uint64_t>(1);
+{head}{drive}    core.p_clock.set<uint64_t>(1);
     core.step();
     settle();
     sample(number, 0);

@@ -5,11 +5,14 @@
 //! stimulus, the clocking, the comparison, and the capture of pixels in memory.
 
 use shadegate_hdl::shade::device::Core;
+use shadegate_hdl::shade::lanes::LANE_PORTS;
 
 /// What differs from simulator to simulator.
 pub(super) struct Device {
     /// Bit of the inputs word that is `ready`.
     pub ready: usize,
+    /// Further lanes of the load port.
+    pub lanes: usize,
     /// Comment lines at the head of the program, with slashes.
     pub heading: String,
     /// `#include` lines.
@@ -33,7 +36,33 @@ pub(super) fn drive(core: &Core, set: impl Fn(&str, &str) -> String) -> String {
         ("ready", format!("inputs >> {} & 1", b + 11)),
     ];
     let line = |(port, value): &(&str, String)| format!("    {}\n", set(port, value));
-    fields.iter().map(line).collect()
+    let mut out: String = fields.iter().map(line).collect();
+    for (k, [write, select, data]) in LANE_PORTS[..core.load_words - 1].iter().enumerate() {
+        let fields = [
+            (*data, format!("lanes[{k}] & 0x{:x}ull", (1u64 << b) - 1)),
+            (*select, format!("lanes[{k}] >> {b} & 0xff")),
+            (*write, format!("lanes[{k}] >> {} & 1", b + 8)),
+        ];
+        out.extend(fields.iter().map(line));
+    }
+    out
+}
+
+/// The head of the method that clocks a device; before it, for a core with several lanes, one that leaves all but the
+/// first idle.
+pub(super) fn clock_head(core: &Core, number: &str) -> String {
+    let lanes = core.load_words - 1;
+    if lanes == 0 {
+        return format!("  void clock(size_t{number}, uint64_t inputs) {{\n");
+    }
+    format!(
+        "  void clock(size_t number, uint64_t inputs) {{
+    const uint64_t idle[{lanes}] = {{}};
+    clock(number, inputs, idle);
+  }}
+
+  void clock(size_t{number}, uint64_t inputs, const uint64_t* lanes) {{\n"
+    )
 }
 
 /// The methods that read a core's outputs as the second and third word of a line; `get(port)` reads one.
@@ -65,11 +94,22 @@ pub(super) fn observe(get: impl Fn(&str) -> String) -> String {
 pub(super) fn program(device: &Device) -> String {
     let Device {
         ready,
+        lanes,
         heading,
         includes,
         prologue,
         definition,
     } = device;
+    let (field, read, passed) = match lanes {
+        0 => (String::new(), String::new(), ""),
+        n => (
+            format!("\n  uint64_t lanes[{n}];"),
+            format!(
+                "\n    for (int k = 0; k < {n}; ++k) c.lanes[k] = std::strtoull(end, &end, 16);"
+            ),
+            ", c.lanes",
+        ),
+    };
     format!(
         r#"{heading}
 #include <chrono>
@@ -85,7 +125,7 @@ namespace {{
 struct Clock {{
   uint64_t inputs;
   uint64_t flags;
-  uint64_t pixel;
+  uint64_t pixel;{field}
 }};
 
 std::vector<Clock> read_vectors(const char* name) {{
@@ -99,7 +139,7 @@ std::vector<Clock> read_vectors(const char* name) {{
     Clock c;
     c.inputs = std::strtoull(end, &end, 16);
     c.flags = std::strtoull(end, &end, 16);
-    c.pixel = std::strtoull(end, &end, 16);
+    c.pixel = std::strtoull(end, &end, 16);{read}
     clocks.push_back(c);
   }}
   std::fclose(file);
@@ -160,7 +200,7 @@ int main(int argc, char** argv) {{
     const Clock& c = clocks[i];
     // What was offered after the last edge is taken by this one.
     if ((flags >> 1 & 1) && (c.inputs >> {ready} & 1)) pixels.push_back(pixel);
-    device.clock(i, c.inputs);
+    device.clock(i, c.inputs{passed});
     flags = device.flags();
     pixel = device.pixel();
     if (flags != c.flags || pixel != c.pixel) {{

@@ -1,16 +1,18 @@
 //! The C++ main program for Verilator.
 
-use super::replay::{drive, observe, program, Device};
+use super::replay::{clock_head, drive, observe, program, Device};
 use shadegate_hdl::shade::device::Core;
 
 /// Text of `main.cpp`; `reset` says whether the core has one. Arguments: vector file, then optionally a file for the pixels (`x y red green blue` per line).
 #[must_use]
 pub fn main_cpp(core: &Core, reset: bool) -> String {
     let name = core.module();
+    let head = clock_head(core, "");
     let drive = drive(core, |port, value| format!("core.{port} = {value};"));
     let observe = observe(|port| format!("core.{port}"));
     program(&Device {
         ready: core.bus_bits() + 11,
+        lanes: core.load_words - 1,
         prologue: if reset { prologue(core) } else { String::new() },
         heading: format!(
             "// Replays a vector file on the Verilator model of {name}_core and compares every output in every clock.\n\
@@ -27,8 +29,7 @@ pub fn main_cpp(core: &Core, reset: bool) -> String {
 
   Device(int, char**) {{ core.clock = 0; }}
 
-  void clock(size_t, uint64_t inputs) {{
-{drive}    core.clock = 0;
+{head}{drive}    core.clock = 0;
     core.eval();
     core.clock = 1;
     core.eval();

@@ -1,6 +1,18 @@
 //! The self-checking Verilog test bench.
 
 use shadegate_hdl::shade::device::Core;
+use shadegate_hdl::shade::lanes::LANE_PORTS;
+use std::fmt::Write;
+
+/// What the test bench of a core with several lanes has more.
+#[derive(Default)]
+struct Lanes {
+    declaration: String,
+    connection: String,
+    words: String,
+    names: String,
+    driven: String,
+}
 
 /// What the test bench of a core with a reset has more.
 #[derive(Default)]
@@ -60,6 +72,33 @@ pub fn test_bench(core: &Core, reset: bool) -> String {
     let b = core.bus_bits();
     let top = b - 1;
     let inputs = b + 11;
+    let ports = &LANE_PORTS[..core.load_words - 1];
+    let mut lanes = Lanes::default();
+    for (k, [write, select, data]) in ports.iter().enumerate() {
+        // Writing to a string cannot fail.
+        let _ = write!(
+            lanes.declaration,
+            "  reg {write} = 1'b0;\n  reg [7:0] {select} = 8'd0;\n  reg [{top}:0] {data} = {b}'d0;\n"
+        );
+        let _ = write!(
+            lanes.connection,
+            "    .{write}({write}), .{select}({select}), .{data}({data}),\n"
+        );
+        let _ = write!(lanes.words, "  reg [{}:0] lane_{k};\n", b + 8);
+        let _ = write!(lanes.names, ", lane_{k}");
+        let _ = write!(
+            lanes.driven,
+            "      {{{write}, {select}, {data}}} = lane_{k};\n"
+        );
+    }
+    let Lanes {
+        declaration: lane_ports,
+        connection: lane_connection,
+        words: lane_words,
+        names: lane_names,
+        driven: lane_driven,
+    } = lanes;
+    let (scanned, count) = (" %h".repeat(ports.len()), 3 + ports.len());
     format!(
         r##"// tb_{name}_core: replays a vector file and compares every output of {name}_core in every clock.
 //
@@ -77,7 +116,7 @@ module tb_{name}_core;
   reg start = 1'b0;
   reg clear = 1'b0;
   reg ready = 1'b0;
-  wire load_ready;
+{lane_ports}  wire load_ready;
   wire valid;
   wire [10:0] x;
   wire [10:0] y;
@@ -90,7 +129,7 @@ module tb_{name}_core;
 
   {name}_core core (
     .clock(clock), {connection}.write(write), .select(select), .data(data), .start(start), .clear(clear), .ready(ready),
-    .load_ready(load_ready), .valid(valid), .x(x), .y(y), .red(red), .green(green), .blue(blue), .depth(depth),
+{lane_connection}    .load_ready(load_ready), .valid(valid), .x(x), .y(y), .red(red), .green(green), .blue(blue), .depth(depth),
     .busy(busy), .done(done)
   );
 
@@ -111,7 +150,7 @@ module tb_{name}_core;
   reg [{inputs}:0] in_word;
   reg [3:0] want_flags;
   reg [61:0] want_pixel;
-
+{lane_words}
   // Reports the first difference of a clock, counts it once.
   task compare;
     begin
@@ -164,11 +203,11 @@ module tb_{name}_core;
       character = $fgetc(vectors);
     end
     status = $ungetc(character, vectors);
-{prologue}    while ($fscanf(vectors, "%h %h %h\n", in_word, want_flags, want_pixel) == 3) begin
+{prologue}    while ($fscanf(vectors, "%h %h %h{scanned}\n", in_word, want_flags, want_pixel{lane_names}) == {count}) begin
       if (dumping && clocks == from && from > 0) $dumpon;
       if (dumping && clocks == to) $dumpoff;
       {{ready, clear, start, write, select, data}} = in_word;
-      #4;
+{lane_driven}      #4;
       if (valid && ready) begin
         pixel_count = pixel_count + 1;
         if (pixels != 0) $fdisplay(pixels, "%0d %0d %0d %0d %0d", x, y, red, green, blue);

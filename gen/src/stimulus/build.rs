@@ -25,13 +25,15 @@ pub struct Triangle {
     pub label: String,
 }
 
-/// What to leave out.
+/// What to leave out, and how wide the load port is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StimulusOptions {
     /// Do not send a word that the register already holds.
     pub skip_unchanged: bool,
     /// Send equal words of several channels in one write.
     pub broadcast: bool,
+    /// Register words per clock of the core: 1, 2 or 4.
+    pub load_words: usize,
 }
 
 impl Default for StimulusOptions {
@@ -39,6 +41,7 @@ impl Default for StimulusOptions {
         Self {
             skip_unchanged: true,
             broadcast: true,
+            load_words: 1,
         }
     }
 }

@@ -1,6 +1,8 @@
-//! The host: one register write per clock whenever the core takes it, the last write of a triangle with `start`.
+//! The host: register writes whenever the core takes them, as many per clock as it can, the last of a triangle with
+//! `start`.
 
-use super::Stimulus;
+use super::{clocks, Stimulus};
+use shadegate_hdl::shade::lanes::Lane;
 use shadegate_hdl::shade::model::{CoreInputs, CoreOutputs};
 
 /// What the host does in a clock.
@@ -16,20 +18,29 @@ pub enum Step {
 #[derive(Clone, Debug)]
 pub struct Host<'a> {
     stimulus: &'a Stimulus,
+    lanes: usize,
     frame: usize,
     primitive: usize,
-    write: usize,
+    /// What is left of the primitive that is being written, clock by clock, the last clock first.
+    writes: Vec<Vec<(u8, u64)>>,
 }
 
 impl<'a> Host<'a> {
-    /// A host at the first write.
+    /// A host at the first write of a core that takes one word per clock.
     #[must_use]
     pub fn new(stimulus: &'a Stimulus) -> Self {
+        Self::with_lanes(stimulus, 1)
+    }
+
+    /// A host at the first write of a core that takes `lanes` words per clock.
+    #[must_use]
+    pub fn with_lanes(stimulus: &'a Stimulus, lanes: usize) -> Self {
         Self {
             stimulus,
+            lanes,
             frame: 0,
             primitive: 0,
-            write: 0,
+            writes: vec![],
         }
     }
 
@@ -65,20 +76,28 @@ impl<'a> Host<'a> {
             };
             return Step::Drive(inputs);
         }
-        let p = &self.stimulus.primitives[self.primitive];
-        if let Some((select, data)) = p.writes.get(self.write) {
-            self.write += 1;
-            inputs = CoreInputs {
-                write: true,
-                select: *select,
-                data: *data,
-                ..inputs
-            };
+        if self.writes.is_empty() {
+            let p = &self.stimulus.primitives[self.primitive];
+            self.writes = clocks(&p.writes, self.lanes);
+            self.writes.reverse();
         }
-        if self.write == p.writes.len() {
+        let clock = self.writes.pop().unwrap_or_default();
+        for (lane, (select, data)) in clock.into_iter().enumerate() {
+            let write = true;
+            match lane {
+                0 => (inputs.write, inputs.select, inputs.data) = (write, select, data),
+                _ => {
+                    inputs.more[lane - 1] = Lane {
+                        write,
+                        select,
+                        data,
+                    }
+                }
+            }
+        }
+        if self.writes.is_empty() {
             inputs.start = true;
             self.primitive += 1;
-            self.write = 0;
         }
         Step::Drive(inputs)
     }

@@ -3,6 +3,7 @@
 mod build;
 mod duff;
 mod host;
+mod lanes;
 mod lines;
 mod material;
 mod sample;
@@ -10,6 +11,7 @@ mod sample_lines;
 
 pub use build::{build, Primitive, Stimulus, StimulusError, StimulusOptions, Triangle};
 pub use host::{Host, Step};
+pub use lanes::clocks;
 pub use lines::{build_lines, Line};
 pub use material::{greatest_exponent, Material};
 pub use sample::{sample, sample_triangles};

@@ -60,6 +60,7 @@ fn noise(r: &mut StdRng, clock: usize) -> CoreInputs {
         start: r.random_ratio(1, 30),
         clear: clock > CLOCKS / 2 && r.random_ratio(1, 2000),
         ready: r.random_ratio(7, 8),
+        ..CoreInputs::default()
     }
 }
 

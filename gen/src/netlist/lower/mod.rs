@@ -35,6 +35,7 @@ use expression::Lowering;
 use rust_hdl_core::ast::{Verilog, VerilogStatement};
 use rust_hdl_core::prelude::{AtomKind, Block};
 use scope::{constant_code, format_of, plain, Scope};
+use shadegate_hdl::shade::lanes::LANE_PORTS;
 use std::collections::HashMap;
 
 /// The key and text of a remark. rust-hdl stores the invocation as `comment!("key text`, with or without the tail.
@@ -125,7 +126,14 @@ fn signals(
 
 fn module(path: &str, node: RawNode) -> Result<Module, NetlistError> {
     let (name, remarks) = head_of(path, &node.hdl);
-    let docs = field_docs(shadegate_hdl::sources::source(&name).unwrap_or_default());
+    let mut docs = field_docs(shadegate_hdl::sources::source(&name).unwrap_or_default());
+    // The ports of further lanes belong to the load port, whatever core has them.
+    for (port, doc) in field_docs(shadegate_hdl::sources::source("load_lanes").unwrap_or_default())
+    {
+        if LANE_PORTS.as_flattened().contains(&port.as_str()) {
+            docs.entry(port).or_insert(doc);
+        }
+    }
     let mut signals = signals(&name, &node, &docs)?;
     let doc_of = |field: &str| {
         let own = field.split('$').next().unwrap_or_default();

@@ -125,7 +125,12 @@ pub fn inputs(core: &Core, size: (u32, u32)) -> Result<Vec<CoreInputs>, Stimulus
             build(core, &triangles, viewport, &StimulusOptions::default())?
         }
     };
-    let trace = run(*core, &stimulus);
+    // One lane shows it all; the others stay idle.
+    let one = Core {
+        load_words: 1,
+        ..*core
+    };
+    let trace = run(one, &stimulus);
     let idle = CoreInputs {
         ready: true,
         ..CoreInputs::default()
