@@ -50,6 +50,12 @@ pub struct CosimArgs {
     /// Frame size [default: the scene's]
     #[arg(long, value_name = "WxH")]
     size: Option<String>,
+    /// Register words that the core takes per clock: 1, 2 or 4
+    #[arg(long, value_name = "W", default_value_t = 1)]
+    load_words: usize,
+    /// Write every register word, also where the register holds it already
+    #[arg(long)]
+    all_words: bool,
     /// Folder for frames, Verilog and reports; made if it is missing [default: out/<scene>-<method>-<engine>]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
@@ -81,8 +87,12 @@ pub fn run(a: &CosimArgs, global: Global) -> Outcome {
         size,
         wave,
         output: Some(folder.clone()),
-        stimulus: StimulusOptions::default(),
-        command: command(&a.scene, name, engine, size),
+        stimulus: StimulusOptions {
+            skip_unchanged: !a.all_words,
+            load_words: a.load_words,
+            ..StimulusOptions::default()
+        },
+        command: command(a, name, engine, size),
     };
     let report = cosim(&scene, &options).map_err(failure)?;
     drop(progress);
@@ -139,8 +149,8 @@ fn wave(a: &CosimArgs, engine: Engine) -> Result<Option<Wave>, Failure> {
 }
 
 /// The command that does this again.
-fn command(scene: &Path, method: &str, engine: Engine, size: Option<(u32, u32)>) -> String {
-    let scene = scene.to_string_lossy();
+fn command(a: &CosimArgs, method: &str, engine: Engine, size: Option<(u32, u32)>) -> String {
+    let scene = a.scene.to_string_lossy();
     let plain = |c: char| c.is_ascii_alphanumeric() || "/._-".contains(c);
     let scene = if scene.chars().all(plain) {
         scene.into_owned()
@@ -148,9 +158,13 @@ fn command(scene: &Path, method: &str, engine: Engine, size: Option<(u32, u32)>)
         format!("'{}'", scene.replace('\'', r"'\''"))
     };
     let size = size.map(|(w, h)| format!(" --size {w}x{h}"));
+    let lanes = (a.load_words > 1).then(|| format!(" --load-words {}", a.load_words));
+    let all = a.all_words.then_some(" --all-words");
     format!(
-        "shadegate cosim {scene} --method {method} --engine {engine}{}",
-        size.unwrap_or_default()
+        "shadegate cosim {scene} --method {method} --engine {engine}{}{}{}",
+        size.unwrap_or_default(),
+        lanes.unwrap_or_default(),
+        all.unwrap_or_default()
     )
 }
 
@@ -160,7 +174,9 @@ pub fn failure(e: CosimError) -> Failure {
         CosimError::Engine(EngineError::Missing { .. } | EngineError::Failed { .. }) => {
             Failure::tool(e)
         }
-        CosimError::Package(PackageError::Constraints(_)) => Failure::input(e),
+        CosimError::Package(PackageError::Constraints(_) | PackageError::LoadWords(_)) => {
+            Failure::input(e)
+        }
         CosimError::Package(_) => Failure::tool(e),
         _ => Failure::input(e),
     }
@@ -187,6 +203,22 @@ fn text(r: &CosimReport, wave: Option<&Path>, folder: &Path, verbose: bool) -> S
         out,
         "{style}{verdict}{style:#} in {} pixels and {} clocks ({:.3} pixels per clock)",
         r.pixels, r.cycles, r.pixels_per_cycle
+    );
+    let spent = &r.clocks;
+    let part = |clocks: u64| 100.0 * clocks as f64 / r.cycles.max(1) as f64;
+    let _ = writeln!(
+        out,
+        "clocks     {} drawing ({:.1} %), {} loading ({:.1} %), {} waiting ({:.1} %){}",
+        spent.drawing,
+        part(spent.drawing),
+        spent.loading,
+        part(spent.loading),
+        spent.waiting,
+        part(spent.waiting),
+        match r.load_words {
+            1 => String::new(),
+            words => format!(", {words} register words per clock"),
+        }
     );
     if let Some(m) = &r.first_mismatch {
         let _ = writeln!(
@@ -249,15 +281,29 @@ fn text(r: &CosimReport, wave: Option<&Path>, folder: &Path, verbose: bool) -> S
 #[cfg(test)]
 mod tests {
     use super::*;
+    use clap::Parser;
+
+    #[derive(Parser)]
+    struct Only {
+        #[command(flatten)]
+        args: CosimArgs,
+    }
 
     #[test]
     fn the_command_can_be_pasted() {
-        let again =
-            |scene: &str| command(Path::new(scene), "gouraud", Engine::Icarus, Some((8, 6)));
+        let again = |scene: &str, more: &[&str]| {
+            let words = ["cosim", scene].into_iter().chain(more.iter().copied());
+            let a = Only::parse_from(words).args;
+            command(&a, "gouraud", Engine::Icarus, Some((8, 6)))
+        };
         assert_eq!(
-            again("scenes/a.toml"),
+            again("scenes/a.toml", &[]),
             "shadegate cosim scenes/a.toml --method gouraud --engine icarus --size 8x6"
         );
-        assert!(again("my scene's.toml").starts_with(r"shadegate cosim 'my scene'\''s.toml' --m"));
+        assert!(
+            again("my scene's.toml", &[]).starts_with(r"shadegate cosim 'my scene'\''s.toml' --m")
+        );
+        assert!(again("a.toml", &["--load-words", "4", "--all-words"])
+            .ends_with(" --load-words 4 --all-words"));
     }
 }

@@ -55,6 +55,9 @@ pub struct GenArgs {
     /// Bus wrappers to add; may be repeated, or a list with commas
     #[arg(long, value_parser = Offer(wrappers), value_delimiter = ',', value_name = "BUS")]
     wrapper: Vec<String>,
+    /// Register words that the core takes per clock: 1, 2 or 4
+    #[arg(long, value_name = "W", default_value_t = 1)]
+    load_words: usize,
     /// Give every register a synchronous reset, active high
     #[arg(long)]
     reset: bool,
@@ -80,14 +83,14 @@ pub fn run(a: &GenArgs, global: Global) -> Outcome {
     a.output.as_deref().map(output::folder).transpose()?;
     let progress = Progress::new("generating", global);
     let (package, name) = match (&a.scene, &a.core) {
-        (Some(file), _) => of_scene(file, a.method.as_deref(), size, &options, a.reset)?,
+        (Some(file), _) => of_scene(file, a, size, &options)?,
         (None, Some(name)) if name.ends_with(".toml") => {
             return Err(Failure::input(format!(
                 "'{name}' is not a core; for a scene: shadegate gen --scene {name}"
             )));
         }
         (None, Some(name)) => (
-            sample(drawing(name)?, size.unwrap_or(FRAME), &options, a.reset)?,
+            sample(drawing(name)?, size.unwrap_or(FRAME), &options, a)?,
             format!("{name}-core"),
         ),
         // clap demands one of them.
@@ -146,11 +149,11 @@ fn target(a: &GenArgs) -> Result<Option<Target<'static>>, Failure> {
 /// A core that draws a scene, with the scene's vectors; and the name of its folder.
 fn of_scene(
     file: &Path,
-    method: Option<&str>,
+    a: &GenArgs,
     size: Option<(u32, u32)>,
     options: &Options,
-    reset: bool,
 ) -> Result<(Package, String), Failure> {
+    let method = a.method.as_deref();
     check_names(method, None)?;
     let mut scene = scene::load(file).map_err(Failure::input)?;
     let drawing = drawing_of(method, None, &mut scene)?;
@@ -158,13 +161,17 @@ fn of_scene(
         Drawing::Shaded(method) => method,
         Drawing::Lines(_) => scene.render.method,
     };
-    let p = prelude(&scene, method, size, &StimulusOptions::default()).map_err(failure)?;
+    let stimulus = StimulusOptions {
+        load_words: a.load_words,
+        ..StimulusOptions::default()
+    };
+    let p = prelude(&scene, method, size, &stimulus).map_err(failure)?;
     let name = format!("{}-{}-core", scene.name, drawing.name());
-    if options.target.is_none() && options.wrappers.is_empty() && !reset {
+    if options.target.is_none() && options.wrappers.is_empty() && !a.reset {
         return Ok((p.package, name));
     }
     let frame = (p.prepared.width, p.prepared.height);
-    Ok((pack(&p.trace, frame, options, reset)?, name))
+    Ok((pack(&p.trace, frame, options, a.reset)?, name))
 }
 
 /// A core by itself, with vectors that exercise all of it.
@@ -172,10 +179,11 @@ fn sample(
     drawing: Drawing,
     frame: (u32, u32),
     options: &Options,
-    reset: bool,
+    a: &GenArgs,
 ) -> Result<Package, Failure> {
     let (width, height) = frame;
     let core = drawing.core(width, height).map_err(failure)?;
+    let core = core.with_load_words(a.load_words).map_err(Failure::input)?;
     let viewport = Viewport { width, height };
     let (count, seed) = SAMPLE;
     let stimulus = sample_stimulus(&core, viewport, count, seed)
@@ -184,7 +192,7 @@ fn sample(
         &Trace::record(core, &stimulus, |_| true),
         frame,
         options,
-        reset,
+        a.reset,
     )
 }
 

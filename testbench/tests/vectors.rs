@@ -87,6 +87,7 @@ fn noise(order: Order, (width, height): (u32, u32), clocks: usize) -> Trace {
             start: r.random_ratio(1, 30),
             clear: clock > clocks / 2 && r.random_ratio(1, 2000),
             ready: r.random_ratio(7, 8),
+            ..CoreInputs::default()
         };
         model.clock(&inputs);
         trace.clocks.push(Clock {

@@ -23,6 +23,7 @@ pub fn cores() -> Section {
                 order,
                 wide,
                 pixels: 2,
+                load_words: 1,
             };
             let formats = core.formats();
             let q = |(_, int, frac): &(&str, usize, usize)| format!("Q{int}.{frac}");

@@ -6,7 +6,9 @@ mod report;
 mod span_oracle;
 mod write;
 
-pub use report::{CosimReport, ErrorReport, FirstMismatch, FormatReport, HostReport, TimeReport};
+pub use report::{
+    ClockReport, CosimReport, ErrorReport, FirstMismatch, FormatReport, HostReport, TimeReport,
+};
 
 use crate::compare::{compare, Rgb8Ref};
 use crate::engine::{run, Engine, EngineError, Wave};
@@ -19,7 +21,7 @@ use shadegate_gen::spans::{self, Refused};
 use shadegate_gen::stimulus::{build, build_lines, Line, StimulusError, StimulusOptions};
 use shadegate_gen::vectors::Trace;
 use shadegate_gen::write::WriteError;
-use shadegate_hdl::shade::device::{Core, MAX_HEIGHT, MAX_WIDTH};
+use shadegate_hdl::shade::device::{Core, LoadWordsError, MAX_HEIGHT, MAX_WIDTH};
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::antialias::Antialias;
 use shadegate_reference::line::LineFilter;
@@ -90,6 +92,9 @@ pub enum CosimError {
         /// Rows.
         height: u32,
     },
+    /// The core has no such load port.
+    #[error(transparent)]
+    LoadWords(#[from] LoadWordsError),
     /// A triangle or line exceeds the core's formats.
     #[error(transparent)]
     Stimulus(#[from] StimulusError),
@@ -184,6 +189,7 @@ pub fn prelude(
     } else {
         core_for(method, width, height)?
     };
+    let core = core.with_load_words(stimulus.load_words)?;
     refuse(scene)?;
     drawable(scene)?;
     suited(scene, core.order)?;

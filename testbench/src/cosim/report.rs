@@ -5,6 +5,7 @@ use super::{CosimOptions, Prelude};
 use crate::compare::Comparison;
 use crate::engine::Run;
 use serde::Serialize;
+use shadegate_gen::spent::Spent;
 use shadegate_gen::stimulus::Stimulus;
 use shadegate_gen::vectors::Trace;
 use shadegate_hdl::shade::device::longest_run;
@@ -98,6 +99,35 @@ impl HostReport {
     }
 }
 
+/// What the clocks were spent on; the three parts add up to `cycles`.
+#[derive(Clone, Debug, Serialize)]
+pub struct ClockReport {
+    /// A pixel moves on from the pixel registers, whether the depth test lets it pass or not.
+    pub drawing: u64,
+    /// The pixel registers are empty because words are written or on their way.
+    pub loading: u64,
+    /// The rest.
+    pub waiting: u64,
+    /// The rest by what it waits for.
+    pub waiting_for: BTreeMap<&'static str, u64>,
+}
+
+impl From<&Spent> for ClockReport {
+    fn from(s: &Spent) -> Self {
+        Self {
+            drawing: s.drawing,
+            loading: s.loading,
+            waiting: s.waiting(),
+            waiting_for: BTreeMap::from([
+                ("back-pressure", s.back_pressure),
+                ("empty-rows", s.empty_rows),
+                ("clear", s.clear),
+                ("drain", s.drain),
+            ]),
+        }
+    }
+}
+
 /// Where the time went.
 #[derive(Clone, Debug, Serialize)]
 pub struct TimeReport {
@@ -132,6 +162,10 @@ pub struct CosimReport {
     pub height: u32,
     /// Clocks from the first register write of a triangle to `done`.
     pub cycles: u64,
+    /// What they were spent on.
+    pub clocks: ClockReport,
+    /// Register words per clock.
+    pub load_words: usize,
     /// Pixels handed over by the core.
     pub pixels: u64,
     /// Pixels per clock.
@@ -237,6 +271,8 @@ impl CosimReport {
             width,
             height,
             cycles: p.trace.cycles,
+            clocks: (&p.trace.spent).into(),
+            load_words: core.load_words,
             pixels,
             pixels_per_cycle: if p.trace.cycles == 0 {
                 0.0
