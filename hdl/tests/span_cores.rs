@@ -90,7 +90,7 @@ fn run(core: Core, seed: u64, clocks: usize) {
         }
     }
     assert!(
-        pixels > clocks as u64 / 100 && colours.len() > 100,
+        pixels > clocks as u64 / 100 && colours.len() > 50,
         "the stimulus must draw: {pixels} pixels, {} colours",
         colours.len()
     );
