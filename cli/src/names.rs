@@ -205,8 +205,8 @@ pub fn drawing_of(
 /// Refuses a core that the user names when the lights and materials of the scene ask for another one of the method.
 fn named_core_draws(name: Option<&str>, method: Method, scene: &Scene) -> Result<(), Failure> {
     let chosen = order_for(scene, method);
-    let all = CORES.iter().chain(&BY_SCENE);
-    let chosen = all.clone().find(|c| Some(c.1) == chosen).map(|c| c.0);
+    let mut all = CORES.iter().chain(&BY_SCENE);
+    let chosen = all.find(|c| Some(c.1) == chosen).map(|c| c.0);
     match (name, chosen) {
         (Some(name), Some(chosen)) if name != chosen => Err(Failure::input(format!(
             "core '{name}' does not draw the lights and materials of this scene; core '{chosen}' does, without --core"
