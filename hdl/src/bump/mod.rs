@@ -19,8 +19,8 @@
 //! |---|---:|---|
 //! | gradient | 2^−9·d + 2^−13 | weights of 8 fraction bits, cut; two cuts of the blend. d: steepest change between samples |
 //! | Newton's factor | 2^−16 + 2^−21 | squares and sum cut |
-//! | factor t of the reflection | 1.3·2^−16 | [`reflection`], at every place; twice that for 2t − 1 |
-//! | cosine | 2^−15 | three products cut to 2^−18, then one cut to 2^−16 |
+//! | factor t of the reflection | 1.5·2^−16 | x cut to 16 bits, t to 16, chords; twice that for 2t − 1 |
+//! | cosine | 1.25·2^−16 | products cut to 2^−18, the difference to 2^−16 |
 //!
 //! Nothing wraps: squares are at most 4 each, and their sum is taken without a sign; factors are at most 1, cosines below 8.
 
@@ -46,6 +46,6 @@ pub const PLACE_FRACTION_BITS: usize = 8;
 /// Largest error of Newton's factor.
 pub const NEWTON_ERROR: f64 = 1.0 / 65_536.0 + 1.0 / 2_097_152.0;
 /// Largest error of the factor of the reflection.
-pub const REFLECTION_ERROR: f64 = 1.3 / 65_536.0;
+pub const REFLECTION_ERROR: f64 = 1.5 / 65_536.0;
 /// Largest error of a cosine, from exact factors and gradients.
-pub const DOT_ERROR: f64 = 1.0 / 32_768.0;
+pub const DOT_ERROR: f64 = 1.25 / 65_536.0;
