@@ -2,7 +2,7 @@
 
 use crate::args::Global;
 use crate::measures::duration;
-use crate::names::{check_names, cores, drawing_of, engines, Drawing, Offer};
+use crate::names::{check_names, cores, depth_formats, drawing_of, engines, Drawing, Offer};
 use crate::outcome::{Exit, Failure, Outcome, Report};
 use crate::progress::Progress;
 use crate::{output, size};
@@ -10,6 +10,7 @@ use anstyle::{AnsiColor, Style};
 use clap::Args;
 use serde_json::Value;
 use shadegate_gen::package::PackageError;
+use shadegate_gen::scene::DepthFormat;
 use shadegate_gen::stimulus::StimulusOptions;
 use shadegate_reference::scene;
 use shadegate_testbench::cosim::{cosim, CosimError, CosimOptions, CosimReport, ErrorReport};
@@ -50,6 +51,9 @@ pub struct CosimArgs {
     /// Frame size [default: the scene's]
     #[arg(long, value_name = "WxH")]
     size: Option<String>,
+    /// What depth words are linear in: 1/z, exact on the screen, or z, evenly spread over the scene
+    #[arg(long, value_name = "FORMAT", value_parser = Offer(depth_formats))]
+    depth: Option<String>,
     /// Folder for frames, Verilog and reports; made if it is missing [default: out/<scene>-<method>-<engine>]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
@@ -61,11 +65,18 @@ pub fn run(a: &CosimArgs, global: Global) -> Outcome {
     // The names are checked before the scene is read; the scene's own method only matters without them.
     check_names(a.method.as_deref(), a.core.as_deref())?;
     let size = a.size.as_deref().map(size::parse).transpose()?;
+    let depth = a.depth.as_deref().map(str::parse).transpose();
+    let depth: Option<DepthFormat> = depth.map_err(Failure::input)?;
     let wave = wave(a, engine)?;
     a.output.as_deref().map(output::folder).transpose()?;
     let progress = Progress::new("reading the scene", global);
     let mut scene = scene::load(&a.scene).map_err(Failure::input)?;
     let drawing = drawing_of(a.method.as_deref(), a.core.as_deref(), &mut scene)?;
+    if depth.is_some() && matches!(drawing, Drawing::Lines(_)) {
+        return Err(Failure::input(
+            "--depth is for triangles; lines are drawn without a depth test",
+        ));
+    }
     let name = drawing.name();
     progress.say(format!("{name} draws {} in {engine}", scene.name));
     let folder = a
@@ -81,8 +92,11 @@ pub fn run(a: &CosimArgs, global: Global) -> Outcome {
         size,
         wave,
         output: Some(folder.clone()),
-        stimulus: StimulusOptions::default(),
-        command: command(&a.scene, name, engine, size),
+        stimulus: StimulusOptions {
+            depth: depth.unwrap_or_default(),
+            ..StimulusOptions::default()
+        },
+        command: command(&a.scene, name, engine, size, depth),
     };
     let report = cosim(&scene, &options).map_err(failure)?;
     drop(progress);
@@ -139,7 +153,13 @@ fn wave(a: &CosimArgs, engine: Engine) -> Result<Option<Wave>, Failure> {
 }
 
 /// The command that does this again.
-fn command(scene: &Path, method: &str, engine: Engine, size: Option<(u32, u32)>) -> String {
+fn command(
+    scene: &Path,
+    method: &str,
+    engine: Engine,
+    size: Option<(u32, u32)>,
+    depth: Option<DepthFormat>,
+) -> String {
     let scene = scene.to_string_lossy();
     let plain = |c: char| c.is_ascii_alphanumeric() || "/._-".contains(c);
     let scene = if scene.chars().all(plain) {
@@ -148,9 +168,11 @@ fn command(scene: &Path, method: &str, engine: Engine, size: Option<(u32, u32)>)
         format!("'{}'", scene.replace('\'', r"'\''"))
     };
     let size = size.map(|(w, h)| format!(" --size {w}x{h}"));
+    let depth = depth.map(|d| format!(" --depth {d}"));
     format!(
-        "shadegate cosim {scene} --method {method} --engine {engine}{}",
-        size.unwrap_or_default()
+        "shadegate cosim {scene} --method {method} --engine {engine}{}{}",
+        size.unwrap_or_default(),
+        depth.unwrap_or_default()
     )
 }
 
@@ -252,8 +274,15 @@ mod tests {
 
     #[test]
     fn the_command_can_be_pasted() {
-        let again =
-            |scene: &str| command(Path::new(scene), "gouraud", Engine::Icarus, Some((8, 6)));
+        let again = |scene: &str| {
+            command(
+                Path::new(scene),
+                "gouraud",
+                Engine::Icarus,
+                Some((8, 6)),
+                None,
+            )
+        };
         assert_eq!(
             again("scenes/a.toml"),
             "shadegate cosim scenes/a.toml --method gouraud --engine icarus --size 8x6"

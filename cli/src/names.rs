@@ -3,7 +3,7 @@
 use crate::outcome::Failure;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
-use shadegate_gen::scene::{order_of, CORES, LINES};
+use shadegate_gen::scene::{order_of, DepthFormat, CORES, LINES};
 use shadegate_gen::wrapper::Wrapper;
 use shadegate_hdl::shade::device::Core;
 use shadegate_reference::antialias::Antialias;
@@ -55,6 +55,11 @@ pub fn cores() -> Vec<&'static str> {
 /// Engines of the co-simulation.
 pub fn engines() -> Vec<&'static str> {
     Engine::ALL.map(Engine::name).to_vec()
+}
+
+/// What depth words are linear in.
+pub fn depth_formats() -> Vec<&'static str> {
+    DepthFormat::ALL.map(DepthFormat::name).to_vec()
 }
 
 /// Bus wrappers of a core.

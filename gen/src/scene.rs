@@ -1,7 +1,9 @@
 //! A prepared scene as the triangles of a core: knots of its method, depths in words.
 
+mod depths;
 mod reflected;
 
+pub use depths::{DepthFormat, UnknownDepthFormat};
 pub use reflected::{suited, Unsuited};
 
 use crate::spans;

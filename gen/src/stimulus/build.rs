@@ -1,6 +1,7 @@
 //! Register writes per triangle, and what need not be written.
 
 use super::material::Material;
+use crate::scene::DepthFormat;
 use crate::setup::{fixed_knot, plane_words, quadric_words, shell_words, Frame};
 use shadegate_hdl::raster::shell::FRAME_WIDTH;
 use shadegate_hdl::shade::device::Core;
@@ -25,13 +26,15 @@ pub struct Triangle {
     pub label: String,
 }
 
-/// What to leave out.
+/// What to leave out, and what depths measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StimulusOptions {
     /// Do not send a word that the register already holds.
     pub skip_unchanged: bool,
     /// Send equal words of several channels in one write.
     pub broadcast: bool,
+    /// What the depth words of a scene are linear in.
+    pub depth: DepthFormat,
 }
 
 impl Default for StimulusOptions {
@@ -39,6 +42,7 @@ impl Default for StimulusOptions {
         Self {
             skip_unchanged: true,
             broadcast: true,
+            depth: DepthFormat::default(),
         }
     }
 }

@@ -198,6 +198,7 @@ pub fn prelude(
         }
         _ => {
             triangles = triangles_of(&prepared, method);
+            stimulus.depth.apply(&prepared, &mut triangles);
             build(&core, &triangles, viewport, stimulus)?
         }
     };
