@@ -3,7 +3,8 @@
 use crate::args::Global;
 use crate::measures::duration;
 use crate::names::{
-    all_cores, check_names, cores, drawing_of, engines, set_up, set_ups, Drawing, Offer,
+    all_cores, check_names, cores, depth_formats, drawing_of, engines, set_up, set_ups, Drawing,
+    Offer,
 };
 use crate::outcome::{Exit, Failure, Outcome, Report};
 use crate::progress::Progress;
@@ -12,7 +13,7 @@ use anstyle::{AnsiColor, Style};
 use clap::Args;
 use serde_json::Value;
 use shadegate_gen::package::PackageError;
-use shadegate_gen::scene::SetUp;
+use shadegate_gen::scene::{DepthFormat, SetUp};
 use shadegate_gen::stimulus::StimulusOptions;
 use shadegate_reference::scene;
 use shadegate_testbench::cosim::{cosim_by, CosimError, CosimOptions, CosimReport, ErrorReport};
@@ -62,6 +63,9 @@ pub struct CosimArgs {
     /// Write every register word, also where the register holds it already
     #[arg(long)]
     all_words: bool,
+    /// What depth words are linear in: 1/z, exact on the screen, or z, evenly spread over the scene
+    #[arg(long, value_name = "FORMAT", value_parser = Offer(depth_formats))]
+    depth: Option<String>,
     /// Folder for frames, Verilog and reports; made if it is missing [default: out/<scene>-<method>-<engine>]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
@@ -74,11 +78,18 @@ pub fn run(a: &CosimArgs, global: Global) -> Outcome {
     check_names(a.method.as_deref(), a.core.as_deref())?;
     let by = set_up(a.set_up.as_deref(), a.core.as_deref())?;
     let size = a.size.as_deref().map(size::parse).transpose()?;
+    let depth = a.depth.as_deref().map(str::parse).transpose();
+    let depth: Option<DepthFormat> = depth.map_err(Failure::input)?;
     let wave = wave(a, engine)?;
     a.output.as_deref().map(output::folder).transpose()?;
     let progress = Progress::new("reading the scene", global);
     let mut scene = scene::load(&a.scene).map_err(Failure::input)?;
     let drawing = drawing_of(a.method.as_deref(), a.core.as_deref(), &mut scene)?;
+    if depth.is_some() && matches!(drawing, Drawing::Lines(_)) {
+        return Err(Failure::input(
+            "--depth is for triangles; lines are drawn without a depth test",
+        ));
+    }
     let name = drawing.name();
     let suffix = match by {
         SetUp::Host => "",
@@ -100,6 +111,7 @@ pub fn run(a: &CosimArgs, global: Global) -> Outcome {
         stimulus: StimulusOptions {
             skip_unchanged: !a.all_words,
             load_words: a.load_words,
+            depth: depth.unwrap_or_default(),
             ..StimulusOptions::default()
         },
         command: command(a, name, by, engine, size),
@@ -176,16 +188,14 @@ fn command(
     let size = size.map(|(w, h)| format!(" --size {w}x{h}"));
     let lanes = (a.load_words > 1).then(|| format!(" --load-words {}", a.load_words));
     let all = a.all_words.then_some(" --all-words");
+    let depth = a.depth.as_ref().map(|d| format!(" --depth {d}"));
     let by = match by {
         SetUp::Host => "",
         SetUp::Engine => " --set-up engine",
     };
-    format!(
-        "shadegate cosim {scene} --method {method}{by} --engine {engine}{}{}{}",
-        size.unwrap_or_default(),
-        lanes.unwrap_or_default(),
-        all.unwrap_or_default()
-    )
+    let more = [size, lanes, all.map(str::to_owned), depth];
+    let more: String = more.into_iter().flatten().collect();
+    format!("shadegate cosim {scene} --method {method}{by} --engine {engine}{more}")
 }
 
 /// Whose fault it is.

@@ -3,7 +3,7 @@
 use crate::outcome::Failure;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
-use shadegate_gen::scene::{method_of, order_for, order_of, SetUp};
+use shadegate_gen::scene::{method_of, order_for, order_of, DepthFormat, SetUp};
 use shadegate_gen::scene::{BY_SCENE, CORES, ENGINES, LINES, TEXTURED};
 use shadegate_gen::wrapper::Wrapper;
 use shadegate_hdl::shade::device::Core;
@@ -78,6 +78,11 @@ pub fn all_cores() -> Vec<&'static str> {
 /// Engines of the co-simulation.
 pub fn engines() -> Vec<&'static str> {
     Engine::ALL.map(Engine::name).to_vec()
+}
+
+/// What depth words are linear in.
+pub fn depth_formats() -> Vec<&'static str> {
+    DepthFormat::ALL.map(DepthFormat::name).to_vec()
 }
 
 /// Bus wrappers of a core.

@@ -1,9 +1,11 @@
 //! A prepared scene as the triangles of a core: knots of its method, depths in words.
 
+mod depths;
 mod reflected;
 mod set_up;
 mod textured;
 
+pub use depths::{DepthFormat, UnknownDepthFormat};
 pub use reflected::{suited, Unsuited};
 pub use set_up::{SetUp, ENGINES};
 pub use textured::{is_textured, texturing};

@@ -38,7 +38,9 @@ fn every_register_is_reset_and_no_memory() {
         let resets = f.text.matches("if (reset) begin").count();
         let blocks = f.text.matches("always @(posedge").count();
         assert!(
-            resets == blocks || f.name.starts_with("frame_memory"),
+            resets == blocks
+                || f.name.starts_with("frame_memory")
+                || f.name.starts_with("page_memory"),
             "{}",
             f.text
         );

@@ -110,7 +110,7 @@ fn it_shows_what_it_is_for() {
         assert!(count("valid", "1") >= 2);
         let start = row("start").iter().position(|v| v == "1").expect("start");
         let first = row("valid").iter().position(|v| v == "1").expect("pixel");
-        assert_eq!(first - start, 5, "the manifest's latency");
+        assert_eq!(first - start, 6, "the manifest's latency");
         let pause = row("ready").iter().position(|v| v == "0").expect("pause");
         assert_eq!(row("valid")[pause], "1");
         assert_eq!(

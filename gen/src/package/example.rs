@@ -158,7 +158,7 @@ module {top}_example (
     endcase
   end
 
-  // One word per clock; the last one {per}carries `start`. While the memory is cleared words may be written already.
+  // One word per clock; the last one {per}carries `start`. Words may be written in the clock of the clear already.
   always @(posedge clock) begin
     if (begins) index <= {bits}'d0;
     else if (writing && load_ready) index <= index + {bits}'d1;

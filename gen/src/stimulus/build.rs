@@ -3,6 +3,7 @@
 use super::material::Material;
 use super::raw::{raw_words, FRAME_ROWS};
 use super::texture::{Covering, Pictures};
+use crate::scene::DepthFormat;
 use crate::setup::{fixed_knot, plane_words, quadric_words, shell_words, Frame};
 use shadegate_hdl::raster::shell::FRAME_WIDTH;
 use shadegate_hdl::shade::device::Core;
@@ -29,7 +30,7 @@ pub struct Triangle {
     pub label: String,
 }
 
-/// What to leave out, and how wide the load port is.
+/// What to leave out, what depths measure, and how wide the load port is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StimulusOptions {
     /// Do not send a word that the register already holds.
@@ -38,6 +39,8 @@ pub struct StimulusOptions {
     pub broadcast: bool,
     /// Register words per clock of the core: 1, 2 or 4.
     pub load_words: usize,
+    /// What the depth words of a scene are linear in.
+    pub depth: DepthFormat,
 }
 
 impl Default for StimulusOptions {
@@ -46,6 +49,7 @@ impl Default for StimulusOptions {
             skip_unchanged: true,
             broadcast: true,
             load_words: 1,
+            depth: DepthFormat::default(),
         }
     }
 }

@@ -24,8 +24,8 @@
 //! page once, one per clock: empty, generation 0. At power-up the page memory is all zeros, which is an empty frame.
 //!
 //! # Hazard
-//! A page is read in one clock and written in the next, and neighbours in a span share their page, so the word that is
-//! written is forwarded to a slot that reads it in the same clock.
+//! A page is read in one clock and written in the next, and neighbours in a span share their page, so the flags that are
+//! written are forwarded to a slot that reads them in the same clock. They are of the current generation.
 //!
 //! Source: ours. A generation per word, without flags, would need spare bits in every word and as many renewals as words.
 
@@ -87,8 +87,8 @@ pub struct Pages<const A: usize> {
     emptying: Register<Bit>,
     /// The page was written while it was read.
     forward: Register<Bit>,
-    /// What was written.
-    forward_word: Register<U<18>>,
+    /// The flags that were written.
+    forward_flags: Register<U<8>>,
     /// Clears so far, modulo 2^10.
     generation: Register<U<10>>,
     /// First word of the page to renew next.
@@ -111,14 +111,12 @@ pub struct Pages<const A: usize> {
     slot_page: Wire<U<A>>,
     /// Page of the held slot.
     held_page: Wire<U<A>>,
-    /// Word of the held slot's page.
-    word: Wire<U<18>>,
-    /// Its generation.
+    /// Generation of the held slot's page.
     word_generation: Wire<U<10>>,
     /// Flags of the page in this frame.
     flags: Wire<U<8>>,
     /// Which word of its page the held fragment means.
-    cell: Wire<U<3>>,
+    ordinal: Wire<U<3>>,
     /// Its flag.
     flag: Wire<U<8>>,
     /// Its flag, if it is set.
@@ -168,7 +166,7 @@ impl<const A: usize> Pages<A> {
             renewing: Default::default(),
             emptying: Default::default(),
             forward: Default::default(),
-            forward_word: Default::default(),
+            forward_flags: Default::default(),
             generation: Default::default(),
             renewal: Default::default(),
             due: Default::default(),
@@ -180,10 +178,9 @@ impl<const A: usize> Pages<A> {
             slot: Default::default(),
             slot_page: Default::default(),
             held_page: Default::default(),
-            word: Default::default(),
             word_generation: Default::default(),
             flags: Default::default(),
-            cell: Default::default(),
+            ordinal: Default::default(),
             flag: Default::default(),
             own_flag: Default::default(),
             new_flags: Default::default(),
@@ -217,7 +214,7 @@ impl<const A: usize> Logic for Pages<A> {
             renewing,
             emptying,
             forward,
-            forward_word,
+            forward_flags,
             generation,
             renewal,
             due,
@@ -237,36 +234,35 @@ impl<const A: usize> Logic for Pages<A> {
         self.held_page.next = self.held_place.q.val() >> 3u64;
 
         // The held slot: what its page says, and what it will say.
-        self.word.next = self.memory.read_data.val();
-        if self.forward.q.val() {
-            self.word.next = self.forward_word.q.val();
-        }
-        self.word_generation.next = self.word.val().get_bits::<10>(8);
+        self.word_generation.next = self.memory.read_data.val().get_bits::<10>(8);
         self.flags.next = 0u64.into();
         if self.word_generation.val() == self.generation.q.val() {
-            self.flags.next = self.word.val().get_bits::<8>(0);
+            self.flags.next = self.memory.read_data.val().get_bits::<8>(0);
         }
-        self.cell.next = self.held_place.q.val().get_bits::<3>(0);
+        if self.forward.q.val() {
+            self.flags.next = self.forward_flags.q.val();
+        }
+        self.ordinal.next = self.held_place.q.val().get_bits::<3>(0);
         self.flag.next = 1u64.into();
-        if self.cell.val() == 1u64.into() {
+        if self.ordinal.val() == 1u64.into() {
             self.flag.next = 2u64.into();
         }
-        if self.cell.val() == 2u64.into() {
+        if self.ordinal.val() == 2u64.into() {
             self.flag.next = 4u64.into();
         }
-        if self.cell.val() == 3u64.into() {
+        if self.ordinal.val() == 3u64.into() {
             self.flag.next = 8u64.into();
         }
-        if self.cell.val() == 4u64.into() {
+        if self.ordinal.val() == 4u64.into() {
             self.flag.next = 16u64.into();
         }
-        if self.cell.val() == 5u64.into() {
+        if self.ordinal.val() == 5u64.into() {
             self.flag.next = 32u64.into();
         }
-        if self.cell.val() == 6u64.into() {
+        if self.ordinal.val() == 6u64.into() {
             self.flag.next = 64u64.into();
         }
-        if self.cell.val() == 7u64.into() {
+        if self.ordinal.val() == 7u64.into() {
             self.flag.next = 128u64.into();
         }
         self.own_flag.next = self.flags.val() & self.flag.val();
@@ -288,7 +284,7 @@ impl<const A: usize> Logic for Pages<A> {
             self.emptying.d.next = self.sweeping.q.val();
             self.forward.d.next =
                 self.writes.val() && (self.slot_page.val() == self.held_page.val());
-            self.forward_word.d.next = self.new_word.val();
+            self.forward_flags.d.next = self.new_flags.val();
             if self.renews.val() {
                 self.renewal.d.next = self.renewal.q.val() + self.one_page.val();
                 if self.renewal.q.val() == self.last_page.val() {
@@ -310,6 +306,7 @@ impl<const A: usize> Logic for Pages<A> {
             && (self.closing.q.val() || (self.asked.val() && self.known.q.val()));
         if self.turns.val() {
             self.generation.d.next = self.generation.q.val() + 1u64.into();
+            self.forward_flags.d.next = 0u64.into();
             self.due.d.next = self.renewals.val();
             self.closing.d.next = false;
         } else if self.asked.val() {

@@ -27,6 +27,7 @@ pub struct PagesModel {
     pub place: u64,
     renewing: bool,
     emptying: bool,
+    /// Flags that were written while they were read.
     forward: Option<u32>,
     generation: u32,
     renewal: u64,
@@ -77,11 +78,10 @@ impl PagesModel {
 
     /// Flags of the held slot's page in this frame.
     fn flags(&self) -> u32 {
-        let word = self.forward.unwrap_or(self.memory.read_data);
-        match word >> PAGE == self.generation {
-            true => word & 0xff,
-            false => 0,
-        }
+        let word = self.memory.read_data;
+        let current = word >> PAGE == self.generation;
+        let read = if current { word & 0xff } else { 0 };
+        self.forward.unwrap_or(read)
     }
 
     fn flag(&self) -> u32 {
@@ -111,7 +111,7 @@ impl PagesModel {
         if i.go {
             let write = writes.then_some((page(self.place), word));
             self.memory.clock(Some(page(slot)), write);
-            self.forward = (writes && page(slot) == page(self.place)).then_some(word);
+            self.forward = (writes && page(slot) == page(self.place)).then_some(flags);
             self.held = i.fragment.is_some();
             self.place = slot;
             self.renewing = renews;
@@ -130,6 +130,7 @@ impl PagesModel {
         self.cleared = settled && (self.closing || asked && known);
         if self.cleared {
             self.generation = (self.generation + 1) & mask(GENERATION_BITS) as u32;
+            self.forward = self.forward.map(|_| 0);
             self.due = self.renewals;
             self.closing = false;
         } else if asked {

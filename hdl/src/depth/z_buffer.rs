@@ -5,7 +5,7 @@
 //!
 //! ```text
 //!  fragment ──► held: word and page arrive ──► tested: compare, write
-//!    address to memory and pages   stored = word, or 0 if not present
+//!    address to memory and pages   stored = word, first if not present
 //! ```
 //!
 //! # Hazard
@@ -16,8 +16,7 @@
 //!
 //! # Clearing
 //! The depth memory is never swept: [`Pages`] knows which words are of this frame. The first fragment on a word that is
-//! not, is nearer than nothing, if its depth is not 0; so a word is in the memory as soon as its flag is set, or on its
-//! way to it, and forwarded.
+//! not is visible, if its depth is not 0; so a word whose flag is set is in the memory, or on its way and forwarded.
 //!
 //! Source: Abbas 2003, section 4.2 and figure 4.5 (read, compare, write); pipelining and forwarding are ours.
 
@@ -71,6 +70,10 @@ pub struct ZBuffer<const A: usize> {
     depth_tested: Register<U<16>>,
     /// Depth to compare with.
     stored: Register<U<16>>,
+    /// The tested fragment is the first of this frame on its pixel.
+    first: Register<Bit>,
+    /// The held fragment is not nothing.
+    touches: Wire<Bit>,
     /// Stored depth of the held fragment's pixel.
     found: Wire<U<16>>,
     /// The tested fragment is nearer than all before.
@@ -105,6 +108,8 @@ impl<const A: usize> ZBuffer<A> {
             address_tested: Default::default(),
             depth_tested: Default::default(),
             stored: Default::default(),
+            first: Default::default(),
+            touches: Default::default(),
             found: Default::default(),
             visible: Default::default(),
             pages: Pages::new(pixels).into(),
@@ -131,24 +136,24 @@ impl<const A: usize> Logic for ZBuffer<A> {
             tests,
             address_tested,
             depth_tested,
-            stored
+            stored,
+            first
         );
-        self.visible.next = self.tests.q.val() && (self.stored.q.val() < self.depth_tested.q.val());
+        self.visible.next = self.tests.q.val()
+            && (self.first.q.val() || (self.stored.q.val() < self.depth_tested.q.val()));
 
         self.pages.clock.next = self.clock.val();
         self.pages.go.next = self.go.val();
         self.pages.clear.next = self.clear.val();
         self.pages.fragment.next = self.fragment.val();
         self.pages.address.next = self.address.val();
-        self.pages.touch.next = self.pages.held.val() && self.held_depth.q.val().any();
+        self.touches.next = self.pages.held.val() && self.held_depth.q.val().any();
+        self.pages.touch.next = self.touches.val();
 
         // What is stored where the held fragment is, and what the two in front of it write there.
         self.found.next = self.memory.read_data.val();
         if self.forward.q.val() {
             self.found.next = self.forward_depth.q.val();
-        }
-        if !self.pages.present.val() {
-            self.found.next = 0u64.into();
         }
         if self.same.q.val() && self.visible.val() {
             self.found.next = self.depth_tested.q.val();
@@ -164,6 +169,7 @@ impl<const A: usize> Logic for ZBuffer<A> {
             self.address_tested.d.next = self.pages.place.val();
             self.depth_tested.d.next = self.held_depth.q.val();
             self.stored.d.next = self.found.val();
+            self.first.d.next = self.touches.val() && !self.pages.present.val();
         }
 
         self.memory.clock.next = self.clock.val();

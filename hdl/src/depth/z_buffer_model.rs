@@ -84,10 +84,10 @@ impl ZBufferModel {
     pub fn clock(&mut self, i: &ZBufferInputs) {
         let pass = self.pass();
         let (held, place) = (self.pages.held, self.pages.place);
-        let found = match (self.same && pass, self.pages.present()) {
-            (true, _) => self.depth,
-            (false, false) => 0,
-            (false, true) => self.forward.unwrap_or(self.memory.read_data),
+        let found = match (self.pages.present(), self.same && pass) {
+            (false, _) => 0,
+            (true, true) => self.depth,
+            (true, false) => self.forward.unwrap_or(self.memory.read_data),
         };
         self.pages.clock(&PagesInputs {
             go: i.go,

@@ -251,6 +251,7 @@ pub fn prelude_by(
         }
         _ => {
             triangles = triangles_for(&prepared, method, core.order);
+            stimulus.depth.apply(&prepared, &mut triangles);
             build(&core, &triangles, viewport, stimulus)?
         }
     };

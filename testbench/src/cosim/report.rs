@@ -192,6 +192,8 @@ pub struct CosimReport {
     pub error_bound_lsb: f64,
     /// Formats.
     pub formats: BTreeMap<&'static str, FormatReport>,
+    /// What depth words are linear in; null for lines.
+    pub depth: Option<&'static str>,
     /// What the host sent.
     pub host: HostReport,
     /// Where the time went, ns.
@@ -313,6 +315,10 @@ impl CosimReport {
                 _ => own
                     .chain([("depth", format(DEPTH_INTEGER_BITS, DEPTH_FRACTION_BITS))])
                     .collect(),
+            },
+            depth: match core.order {
+                Order::Line(_) => None,
+                _ => Some(i.options.stimulus.depth.name()),
             },
             host: p.host.clone(),
             time_ns: TimeReport {

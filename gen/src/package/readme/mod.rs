@@ -6,6 +6,7 @@ use super::build::nextpnr_options;
 use super::line;
 use super::{Manifest, Target};
 use shadegate_constraints::Format;
+use shadegate_hdl::depth::pages::{pages, renewals, PAGE};
 use shadegate_hdl::light::Glint;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
@@ -102,11 +103,17 @@ fn timing(m: &Manifest, noun: &str) -> String {
         "line" => "without a gap between columns, or between lines whose words came in time; a line that begins on one of the last two pixels of the one before waits for it",
         _ => "without a gap between spans, or between triangles whose words came in time",
     };
+    let pixels = u64::from(m.frame.0) * u64::from(m.frame.1);
+    let resets = m.ports.iter().any(|p| p.name == crate::netlist::RESET);
     let clear = match (noun, m.block_ram.needed_kbit > 0.0) {
         ("line", false) => "`clear` is answered at once: there is no memory.".to_owned(),
+        ("line", true) => format!("`clear` takes {pixels} clocks, one per pixel of the frame."),
         _ => format!(
-            "`clear` takes {} clocks, one per pixel of the frame.",
-            u64::from(m.frame.0) * u64::from(m.frame.1)
+            "`clear` takes no time: triangles may follow at once. The first one after power-up{} takes {} clocks, one for \
+             every {PAGE} pixels of the frame; later ones wait only if the core had fewer than {} clocks without a pixel since the one before.",
+            if resets { " or reset" } else { "" },
+            pages(pixels as usize),
+            renewals(pixels as usize),
         ),
     };
     format!(
