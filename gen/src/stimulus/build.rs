@@ -1,7 +1,8 @@
 //! Register writes per triangle, and what need not be written.
 
 use super::material::Material;
-use super::texture::{Covering, Pictures};
+use super::picture::Pictures;
+use super::texture::Covering;
 use crate::setup::{fixed_knot, plane_words, quadric_words, shell_words, Frame};
 use shadegate_hdl::raster::shell::FRAME_WIDTH;
 use shadegate_hdl::shade::device::Core;

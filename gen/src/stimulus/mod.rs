@@ -5,6 +5,7 @@ mod duff;
 mod host;
 mod lines;
 mod material;
+mod picture;
 mod sample;
 mod sample_lines;
 mod texture;
@@ -13,6 +14,7 @@ pub use build::{build, Primitive, Stimulus, StimulusError, StimulusOptions, Tria
 pub use host::{Host, Step};
 pub use lines::{build_lines, Line};
 pub use material::{greatest_exponent, Material};
+pub use picture::Picture;
 pub use sample::{sample, sample_triangles};
 pub use sample_lines::{sample_lines, single_line};
-pub use texture::{Covering, Picture};
+pub use texture::Covering;
