@@ -80,11 +80,9 @@ fn triangle(order: Order) -> Triangle {
 /// What cores that shade per pixel draw it with: matt, so that no table is sent.
 pub(super) fn material(order: Order) -> Option<Material> {
     match order {
-        Order::Linear
-        | Order::Quadratic
-        | Order::Line(_)
-        | Order::Span(_)
-        | Order::Textured(_) => None,
+        Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) | Order::Textured(_) => {
+            None
+        }
         Order::QuadraticDots | Order::Duff => Some(Material {
             ambient: [20.0, 10.0, 5.0],
             diffuse: [200.0, 120.0, 60.0],
@@ -97,11 +95,9 @@ pub(super) fn material(order: Order) -> Option<Material> {
 /// Knots of such cores from colours: N·L from dark to light.
 pub(super) fn cosines(order: Order, knots: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
     match order {
-        Order::Linear
-        | Order::Quadratic
-        | Order::Line(_)
-        | Order::Span(_)
-        | Order::Textured(_) => knots,
+        Order::Linear | Order::Quadratic | Order::Line(_) | Order::Span(_) | Order::Textured(_) => {
+            knots
+        }
         Order::QuadraticDots | Order::Duff => {
             knots.iter().map(|k| [k[0] / 255.0, 0.0, 1.0]).collect()
         }
