@@ -1,8 +1,9 @@
 //! Register writes per triangle, and what need not be written.
 
 use super::material::Material;
+use super::picture::Pictures;
 use super::raw::{raw_words, FRAME_ROWS};
-use super::texture::{Covering, Pictures};
+use super::texture::Covering;
 use crate::scene::DepthFormat;
 use crate::setup::{fixed_knot, plane_words, quadric_words, shell_words, Frame};
 use shadegate_hdl::raster::shell::FRAME_WIDTH;
