@@ -66,7 +66,7 @@ fn other_scenes_and_the_wide_formats() {
         ("torus-288.toml", None),
         ("gem.toml", None),
         ("sphere-168.toml", Some((640, 480))),
-        ("two-lights.toml", Some((1500, 1024))),
+        ("sphere-374.toml", Some((1500, 1024))),
     ] {
         let r = run(&load(name), Method::Quadratic, Engine::Compiled, size);
         judge(&r.unwrap_or_else(|e| panic!("{name}: {e}")));

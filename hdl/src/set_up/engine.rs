@@ -136,7 +136,7 @@ pub struct SetUpEngine<const N: usize, const B: usize> {
     /// How far y is moved up.
     y_shift: Wire<U<2>>,
     /// What is done with x and y.
-    function: Wire<U<2>>,
+    operation: Wire<U<2>>,
     /// Register of the result.
     to: Wire<U<6>>,
     /// The result is written.
@@ -292,7 +292,7 @@ impl<const N: usize, const B: usize> Default for SetUpEngine<N, B> {
             y_code: Default::default(),
             y_from: Default::default(),
             y_shift: Default::default(),
-            function: Default::default(),
+            operation: Default::default(),
             to: Default::default(),
             keep: Default::default(),
             flag: Default::default(),
@@ -422,7 +422,7 @@ impl<const N: usize, const B: usize> Logic for SetUpEngine<N, B> {
         self.y_code.next = self.instruction.q.val().get_bits::<4>(6);
         self.y_from.next = self.instruction.q.val().get_bits::<2>(15);
         self.y_shift.next = self.instruction.q.val().get_bits::<2>(17);
-        self.function.next = self.instruction.q.val().get_bits::<2>(19);
+        self.operation.next = self.instruction.q.val().get_bits::<2>(19);
         self.to.next = self.instruction.q.val().get_bits::<6>(21);
         self.keep.next = self.instruction.q.val().get_bit(27);
         self.flag.next = self.instruction.q.val().get_bits::<4>(28);
@@ -510,12 +510,12 @@ impl<const N: usize, const B: usize> Logic for SetUpEngine<N, B> {
         // Sum, difference (not (not a + b)), choice.
         self.left.next = self.x.val();
         self.right.next = self.y.val();
-        if self.function.val() == 2u64.into() {
+        if self.operation.val() == 2u64.into() {
             self.left.next = self.y.val();
             self.right.next = self.x.val();
         }
         self.turned.next = !self.left.val();
-        if self.function.val() == 0u64.into() {
+        if self.operation.val() == 0u64.into() {
             self.turned.next = self.left.val();
         }
         self.added.next = self.turned.val() + self.right.val();
@@ -523,10 +523,10 @@ impl<const N: usize, const B: usize> Logic for SetUpEngine<N, B> {
         self.flag_set.next = self.flag_bits.val().get_bit(0);
         self.flag_mask.next = self.one_bit.val() << self.flag.val();
         self.outcome.next = !self.added.val();
-        if self.function.val() == 0u64.into() {
+        if self.operation.val() == 0u64.into() {
             self.outcome.next = self.added.val();
         }
-        if self.function.val() == 3u64.into() {
+        if self.operation.val() == 3u64.into() {
             self.outcome.next = self.y.val();
             if self.flag_set.val() {
                 self.outcome.next = self.x.val();

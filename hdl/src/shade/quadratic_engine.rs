@@ -62,7 +62,7 @@ pub struct QuadraticEngineCore<const D: usize, const N: usize, const B: usize, c
     /// Slot of vertex 0.
     group: Wire<U<6>>,
     /// Slot within the group.
-    within: Wire<U<3>>,
+    offset: Wire<U<3>>,
     /// The host writes a register of the frame.
     frame_write: Wire<Bit>,
     /// `busy` in the clock before.
@@ -105,7 +105,7 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize>
             selects_shell: Default::default(),
             selects_frame: Default::default(),
             group: Default::default(),
-            within: Default::default(),
+            offset: Default::default(),
             frame_write: Default::default(),
             was_busy: Default::default(),
             any_busy: Default::default(),
@@ -130,7 +130,7 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
         dff_setup!(self, clock, was_busy);
         self.accept.next = self.write.val() && self.engine.load_ready.val();
         self.word.next = self.select.val().get_bits::<4>(0);
-        self.within.next = self.select.val().get_bits::<3>(0);
+        self.offset.next = self.select.val().get_bits::<3>(0);
         self.channels.next = self.select.val().get_bits::<4>(4);
         self.selects_shell.next = !self.channels.val().any();
         self.selects_frame.next = self.selects_shell.val() && self.word.val().get_bit(3);
@@ -151,7 +151,7 @@ impl<const D: usize, const N: usize, const B: usize, const A: usize> Logic
 
         self.engine.clock.next = self.clock.val();
         self.engine.write.next = self.accept.val() && !self.selects_frame.val();
-        self.engine.slot.next = self.group.val() | bit_cast_u::<6, 3>(self.within.val());
+        self.engine.slot.next = self.group.val() | bit_cast_u::<6, 3>(self.offset.val());
         self.engine.data.next = self.data.val().get_bits::<24>(0);
         self.engine.frame_write.next = self.frame_write.val();
         self.engine.frame_word.next = self.word.val();
