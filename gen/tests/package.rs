@@ -141,6 +141,7 @@ fn the_register_map_is_what_a_host_writes() {
         let options = StimulusOptions {
             skip_unchanged: false,
             broadcast: false,
+            ..StimulusOptions::default()
         };
         let triangles = sample_triangles(order, viewport, 200, 3);
         let stimulus = build(&core, &triangles, viewport, &options).expect("in range");

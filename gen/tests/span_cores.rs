@@ -280,6 +280,7 @@ fn the_register_map_is_what_a_host_writes() {
         let options = StimulusOptions {
             skip_unchanged: false,
             broadcast: false,
+            ..StimulusOptions::default()
         };
         let triangles = sample_triangles(core.order, view, 60, 3);
         let stimulus = build(&core, &triangles, view, &options).expect("in range");

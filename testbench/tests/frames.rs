@@ -176,6 +176,7 @@ fn what_the_host_leaves_out_changes_no_pixel() {
             stimulus: shadegate_gen::stimulus::StimulusOptions {
                 skip_unchanged,
                 broadcast,
+                ..Default::default()
             },
             ..options(Method::Quadratic, Engine::RustHdl)
         };
