@@ -66,6 +66,7 @@ fn noise(order: Order, (width, height): (u32, u32), clocks: usize) -> Trace {
         clocks: vec![],
         pixels: vec![],
         cycles: 0,
+        spent: Default::default(),
         writes: 0,
         spent: Default::default(),
     };
