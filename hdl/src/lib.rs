@@ -10,6 +10,7 @@ macro_rules! comment {
     ($text:literal) => {};
 }
 
+pub mod compact;
 pub mod depth;
 pub mod format;
 pub mod interpolate;

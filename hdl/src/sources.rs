@@ -15,6 +15,9 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("blake_core", include_str!("shade/blake.rs")),
     ("chebyshev", include_str!("lit/chebyshev.rs")),
     ("chebyshev_core", include_str!("shade/chebyshev.rs")),
+    ("compact_channel", include_str!("compact/channel.rs")),
+    ("compact_unit", include_str!("compact/unit.rs")),
+    ("compact_walk", include_str!("compact/walk.rs")),
     ("clamp_factor", include_str!("lit/clamp.rs")),
     ("constant_1", include_str!("interpolate/constant_1.rs")),
     ("constant_2", include_str!("interpolate/constant_2.rs")),
@@ -74,6 +77,9 @@ pub fn source(name: &str) -> Option<&'static str> {
     // Memories are named after their sizes.
     if name.starts_with("frame_memory") || name.starts_with("colour_memory") {
         return Some(include_str!("depth/frame_memory.rs"));
+    }
+    if name.starts_with("word_memory") {
+        return Some(include_str!("compact/word_memory.rs"));
     }
     if name.starts_with("weight_rom") {
         return Some(include_str!("line/weight_rom.rs"));
