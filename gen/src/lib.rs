@@ -1,5 +1,6 @@
 //! From a description and a scene's set-up to files: Verilog, constraints, vectors, test benches, a manifest.
 
+pub mod compact;
 pub mod compile;
 pub mod netlist;
 pub mod package;

@@ -11,6 +11,7 @@ macro_rules! comment {
 }
 
 pub mod bump;
+pub mod compact;
 pub mod depth;
 pub mod format;
 pub mod interpolate;

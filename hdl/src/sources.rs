@@ -49,6 +49,9 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("bump_reflection", include_str!("bump/reflection.rs")),
     ("chebyshev", include_str!("lit/chebyshev.rs")),
     ("chebyshev_core", include_str!("shade/chebyshev.rs")),
+    ("compact_channel", include_str!("compact/channel.rs")),
+    ("compact_unit", include_str!("compact/unit.rs")),
+    ("compact_walk", include_str!("compact/walk.rs")),
     ("clamp_factor", include_str!("lit/clamp.rs")),
     ("constant_1", include_str!("interpolate/constant_1.rs")),
     ("constant_2", include_str!("interpolate/constant_2.rs")),
@@ -126,6 +129,9 @@ pub fn source(name: &str) -> Option<&'static str> {
     let of_pixels = ["frame_memory", "colour_memory", "page_memory", "texel_bank"];
     if of_pixels.iter().any(|m| name.starts_with(m)) {
         return Some(include_str!("depth/frame_memory.rs"));
+    }
+    if name.starts_with("word_memory") {
+        return Some(include_str!("compact/word_memory.rs"));
     }
     if name.starts_with("weight_rom") {
         return Some(include_str!("line/weight_rom.rs"));

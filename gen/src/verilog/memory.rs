@@ -44,7 +44,11 @@ pub fn memory_body(m: &Module, memory: &Memory) -> String {
         out += "// The memory, with its words at power-up.\n";
     }
     let _ = writeln!(out, "reg {range}words [0:{last}];");
-    let _ = writeln!(out, "initial {data} = {};\n", literal(0, signal));
+    if memory.read.clock.is_some() {
+        let _ = writeln!(out, "initial {data} = {};\n", literal(0, signal));
+    } else {
+        out.push('\n');
+    }
     if zeros {
         let zero = literal(0, Format::Unsigned(memory.width));
         let _ = writeln!(
