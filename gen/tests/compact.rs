@@ -10,10 +10,13 @@ use shadegate_hdl::shade::model::Order;
 use shadegate_reference::raster::{Point, Viewport};
 use shadegate_reference::shade::barycentric::weights;
 
-const EVERY_WORD: StimulusOptions = StimulusOptions {
-    skip_unchanged: false,
-    broadcast: false,
-};
+fn every_word() -> StimulusOptions {
+    StimulusOptions {
+        skip_unchanged: false,
+        broadcast: false,
+        ..StimulusOptions::default()
+    }
+}
 
 type Pixel = (u16, u16, [u8; 3]);
 
@@ -60,7 +63,7 @@ fn pixel_for_pixel_the_quadratic_core() {
     for (i, t) in triangles.iter_mut().enumerate() {
         t.depth = [1000.0 + 100.0 * i as f64; 3];
     }
-    let stimulus = build(&core, &triangles, viewport, &EVERY_WORD).expect("in range");
+    let stimulus = build(&core, &triangles, viewport, &every_word()).expect("in range");
     let trace = Trace::record(core, &stimulus, |_| true);
     let want: Vec<Pixel> = trace.pixels.iter().map(|p| (p.x, p.y, p.rgb)).collect();
     assert!(want.len() > 20_000, "{}", want.len());
@@ -75,6 +78,7 @@ fn triangle(corners: [(i32, i32); 3], colours: [f64; 6]) -> Triangle {
         depth: [30_000.0; 3],
         knots: colours.map(|c| [c, 255.0 - c, c / 2.0]).to_vec(),
         material: None,
+        covering: None,
         label: String::new(),
     }
 }
@@ -85,6 +89,7 @@ fn short_words_are_faithful_over_512_pixels() {
         order: Order::Quadratic,
         wide: false,
         pixels: 1 << 17,
+        load_words: 1,
     };
     let viewport = Viewport {
         width: 512,
@@ -113,7 +118,7 @@ fn short_words_are_faithful_over_512_pixels() {
         for colours in knots {
             let t = triangle(at, colours);
             let one = std::slice::from_ref(&t);
-            let stimulus = build(&core, one, viewport, &EVERY_WORD).expect("in range");
+            let stimulus = build(&core, one, viewport, &every_word()).expect("in range");
             let (pixels, _) = draw(CompactModel::new(9, 20, 12), &stimulus, 512);
             total += pixels.len();
             for (x, y, rgb) in pixels {
@@ -150,7 +155,7 @@ fn the_rate_by_size_of_triangle() {
             t
         };
         let triangles: Vec<_> = (0..200).map(one).collect();
-        let stimulus = build(&core, &triangles, viewport, &EVERY_WORD).expect("in range");
+        let stimulus = build(&core, &triangles, viewport, &every_word()).expect("in range");
         let trace = Trace::record(core, &stimulus, |clock| clock % 11 != 5);
         let full = trace.pixels.len() as f64 / trace.cycles as f64;
         let (pixels, clocks) = draw(CompactModel::new(11, 20, 20), &stimulus, 320);

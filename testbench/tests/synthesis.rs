@@ -6,9 +6,7 @@ use shadegate_gen::vectors::Trace;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::raster::Viewport;
-use shadegate_testbench::engine::{run, Engine};
-use shadegate_testbench::synthesis::{route, synthesise, Design, Family, Options, Router};
-use std::process::Command;
+use shadegate_testbench::synthesis::{route, Design, Family, Options, Router};
 
 const SIZE: (u32, u32) = (16, 16);
 

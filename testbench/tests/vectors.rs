@@ -68,7 +68,6 @@ fn noise(order: Order, (width, height): (u32, u32), clocks: usize) -> Trace {
         cycles: 0,
         spent: Default::default(),
         writes: 0,
-        spent: Default::default(),
     };
     for clock in 0..clocks {
         let select: u8 = if r.random() {
