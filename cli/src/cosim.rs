@@ -78,8 +78,8 @@ pub fn run(a: &CosimArgs, global: Global) -> Outcome {
     check_names(a.method.as_deref(), a.core.as_deref())?;
     let by = set_up(a.set_up.as_deref(), a.core.as_deref())?;
     let size = a.size.as_deref().map(size::parse).transpose()?;
-    let depth = a.depth.as_deref().map(str::parse).transpose();
-    let depth: Option<DepthFormat> = depth.map_err(Failure::input)?;
+    let depth = a.depth.as_deref().map(str::parse::<DepthFormat>);
+    let depth = depth.transpose().map_err(Failure::input)?;
     let wave = wave(a, engine)?;
     a.output.as_deref().map(output::folder).transpose()?;
     let progress = Progress::new("reading the scene", global);
