@@ -88,9 +88,14 @@ fn hull(t: &Triangle, map: impl Fn(&[f64; 3]) -> f64) -> [f64; 6] {
 
 impl Writer<'_> {
     /// The material of a triangle, if it is not the one before: a fence, then what differs.
-    fn curves(&mut self, m: &Material, writes: &mut Vec<(u8, u64)>) -> Result<(), String> {
+    fn curves(
+        &mut self,
+        glint: Glint,
+        m: &Material,
+        writes: &mut Vec<(u8, u64)>,
+    ) -> Result<(), String> {
         let degree = if m.shines() { m.kappa()?.0 } else { 2 };
-        let hard = m.cone.is_some_and(|c| c.hard);
+        let hard = glint == Glint::Spot && m.cone.is_some_and(|c| c.hard);
         let curve = u64::from(degree) | u64::from(hard) << 3;
         let words = (0u8..).zip(m.colours()?);
         let mut sent = vec![];
@@ -116,7 +121,7 @@ impl Writer<'_> {
         writes: &mut Vec<(u8, u64)>,
     ) -> Result<(), String> {
         let m = t.material.as_ref().ok_or("no material")?;
-        self.curves(m, writes)?;
+        self.curves(glint, m, writes)?;
         let below = core.fraction_bits();
         let words = |knots, int: usize, frac: usize, offset: i128| {
             let fraction = (frac + below) as u32;

@@ -339,13 +339,14 @@ impl<const B: usize> LanePort<B> {
         for lane in 0..MAX_LANES {
             for port in ["write", "select", "data"] {
                 let to = VerilogExpression::Signal(format!("lanes${port}_{lane}"));
-                let from = match lane {
-                    0 => VerilogExpression::Signal(port.to_owned()),
-                    _ if lane <= self.further => {
-                        VerilogExpression::Signal(format!("{port}_{lane}"))
-                    }
-                    _ if port == "write" => VerilogExpression::Literal(false.into()),
-                    _ => VerilogExpression::Literal(0u32.into()),
+                let from = if lane == 0 {
+                    VerilogExpression::Signal(port.to_owned())
+                } else if lane <= self.further {
+                    VerilogExpression::Signal(format!("{port}_{lane}"))
+                } else if port == "write" {
+                    VerilogExpression::Literal(false.into())
+                } else {
+                    VerilogExpression::Literal(0u32.into())
                 };
                 out.push(VerilogStatement::Assignment(to, from));
             }
