@@ -3,7 +3,7 @@
 mod common;
 
 use common::{Folder, GOOD};
-use shadegate_gen::scene::{BY_SCENE, CORES, LINES, TEXTURED};
+use shadegate_gen::scene::{BY_SCENE, CORES, ENGINES, LINES, TEXTURED};
 use shadegate_reference::{Method, Skips};
 use std::sync::LazyLock;
 
@@ -158,8 +158,9 @@ fn names() {
         ),
     );
     let core = format!(
-        "unknown core 'goraud'; the nearest is 'gouraud' of {}",
-        cores()
+        "unknown core 'goraud'; the nearest is 'gouraud' of {}, {}",
+        cores(),
+        ENGINES[0].0
     );
     f.refuses("cosim ball.toml --core goraud", &core);
     f.refuses("gen goraud", &core);

@@ -131,6 +131,7 @@ fn what_cannot_be_synthesised_is_refused() {
                 .map(|c| c.0)
                 .chain(shadegate_gen::scene::TEXTURED.iter().map(|t| t.0))
                 .chain(shadegate_gen::scene::LINES.iter().map(|l| l.0))
+                .chain(shadegate_gen::scene::ENGINES.iter().map(|e| e.0))
                 .collect::<Vec<_>>()
                 .join(", ")
         ),

@@ -39,7 +39,8 @@ fn a_core_is_placed_and_routed() {
         output: Some(folder.path()),
     };
     let (s, r) = route(&design, Router::Ice40, &options).unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!((s.family, s.resources.bram), (Family::Ice40, 1));
+    // One for the depths, two for the 18 bits of their pages.
+    assert_eq!((s.family, s.resources.bram), (Family::Ice40, 3));
     assert_eq!(s.arrival_ps, None, "Yosys knows no delays of this family");
     assert_eq!(r.part, "iCE40HX8K-CT256");
     // Every logic cell holds at most one look-up table and one flip-flop.

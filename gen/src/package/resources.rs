@@ -46,38 +46,38 @@ const fn row(family: &'static str, lut: u32, ff: u32, bram: u32) -> Measured {
 }
 
 const QUADRATIC: [Measured; 3] = [
-    row("spartan-3", 2563, 3370, 76),
-    row("spartan-6", 2307, 3370, 76),
-    row("spartan-7", 2307, 3370, 38),
+    row("spartan-3", 2727, 3509, 86),
+    row("spartan-6", 2401, 3509, 86),
+    row("spartan-7", 2408, 3509, 43),
 ];
 const GOURAUD: [Measured; 3] = [
-    row("spartan-3", 1534, 1882, 76),
-    row("spartan-6", 1272, 1882, 76),
-    row("spartan-7", 1288, 1882, 38),
+    row("spartan-3", 1806, 2021, 86),
+    row("spartan-6", 1485, 2021, 86),
+    row("spartan-7", 1481, 2021, 43),
 ];
 const fn with_multipliers(dsp: u32, row: Measured) -> Measured {
     Measured { dsp, ..row }
 }
 
 const DUFF: [Measured; 3] = [
-    with_multipliers(22, row("spartan-3", 2931, 5202, 78)),
-    with_multipliers(22, row("spartan-6", 2439, 4809, 78)),
-    with_multipliers(21, row("spartan-7", 2438, 4809, 40)),
+    with_multipliers(22, row("spartan-3", 3234, 5341, 88)),
+    with_multipliers(22, row("spartan-6", 2689, 4948, 88)),
+    with_multipliers(21, row("spartan-7", 2682, 4948, 45)),
 ];
 const SLERP: [Measured; 3] = [
-    with_multipliers(15, row("spartan-3", 2165, 2271, 78)),
-    with_multipliers(15, row("spartan-6", 1286, 1521, 78)),
-    with_multipliers(11, row("spartan-7", 1236, 1521, 39)),
+    with_multipliers(15, row("spartan-3", 2295, 2409, 88)),
+    with_multipliers(15, row("spartan-6", 1450, 1659, 88)),
+    with_multipliers(11, row("spartan-7", 1379, 1659, 44)),
 ];
 const BLAKE: [Measured; 3] = [
-    with_multipliers(6, row("spartan-3", 1646, 2231, 76)),
-    with_multipliers(6, row("spartan-6", 1004, 1515, 76)),
-    with_multipliers(6, row("spartan-7", 1006, 1515, 38)),
+    with_multipliers(6, row("spartan-3", 1812, 2369, 86)),
+    with_multipliers(6, row("spartan-6", 1163, 1653, 86)),
+    with_multipliers(6, row("spartan-7", 1140, 1653, 43)),
 ];
 const QUADRATIC_DOTS: [Measured; 3] = [
-    with_multipliers(7, row("spartan-3", 2427, 3838, 77)),
-    with_multipliers(7, row("spartan-6", 2139, 3684, 77)),
-    with_multipliers(7, row("spartan-7", 2157, 3684, 39)),
+    with_multipliers(7, row("spartan-3", 2710, 3977, 87)),
+    with_multipliers(7, row("spartan-6", 2402, 3823, 87)),
+    with_multipliers(7, row("spartan-7", 2380, 3823, 44)),
 ];
 
 /// The estimate in a manifest.

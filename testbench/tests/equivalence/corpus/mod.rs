@@ -1,6 +1,5 @@
 //! The corpus: one file per theme, each with small descriptions named after what they do.
 
-mod bumps;
 mod buses;
 mod casts;
 mod choices;
@@ -30,7 +29,6 @@ fn cases() -> Vec<Case> {
         buses::cases(),
         memories::cases(),
         lines::cases(),
-        bumps::cases(),
     ]
     .into_iter()
     .flatten()
