@@ -46,12 +46,12 @@ fn equals<const D: usize, const M: usize, const N: usize, const V: usize>(
     for clock in 0..CLOCKS {
         // Bursts of writes in order of their numbers, so that triangles are whole.
         if r.random_ratio(9, 10) {
-            select = (select + 1) % 16
-                | if r.random() {
-                    0
-                } else {
-                    r.random_range(0..8) << 4
-                };
+            let targets = if r.random() {
+                0
+            } else {
+                r.random_range(0..8) << 4
+            };
+            select = ((select + 1) % 16) | targets;
         }
         let i = CompactInputs {
             write: r.random_ratio(1, 2),

@@ -121,8 +121,8 @@ fn units_clock_by_clock() {
     let mut degree = 2;
     let mut hard = false;
     // What is on its way; as at power-up.
-    let mut lobes = vec![Some(0); highlight::STAGES];
-    let mut cones = vec![Some(0); spot::STAGES];
+    let mut lobes = [Some(0); highlight::STAGES];
+    let mut cones = [Some(0); spot::STAGES];
     let mut fresh = 0;
     for clock in 0..CLOCKS {
         // The curves stand still while anything is on its way.

@@ -80,15 +80,15 @@ pub fn test_bench(core: &Core, reset: bool) -> String {
             lanes.declaration,
             "  reg {write} = 1'b0;\n  reg [7:0] {select} = 8'd0;\n  reg [{top}:0] {data} = {b}'d0;\n"
         );
-        let _ = write!(
+        let _ = writeln!(
             lanes.connection,
-            "    .{write}({write}), .{select}({select}), .{data}({data}),\n"
+            "    .{write}({write}), .{select}({select}), .{data}({data}),"
         );
-        let _ = write!(lanes.words, "  reg [{}:0] lane_{k};\n", b + 8);
+        let _ = writeln!(lanes.words, "  reg [{}:0] lane_{k};", b + 8);
         let _ = write!(lanes.names, ", lane_{k}");
-        let _ = write!(
+        let _ = writeln!(
             lanes.driven,
-            "      {{{write}, {select}, {data}}} = lane_{k};\n"
+            "      {{{write}, {select}, {data}}} = lane_{k};"
         );
     }
     let Lanes {
