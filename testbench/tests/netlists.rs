@@ -147,6 +147,7 @@ fn equals_the_model(name: &str, drawn: Drawn, family: Family) -> Resources {
     let options = Options {
         cache: true,
         output: Some(folder.path()),
+        wide_muxes: true,
     };
     let s = synthesise(&design, family, &options).unwrap_or_else(|e| panic!("{name}: {e}"));
     let made = folder.path().join(family.name()).join("netlist.v");

@@ -37,6 +37,7 @@ fn a_core_is_placed_and_routed() {
     let options = Options {
         cache: true,
         output: Some(folder.path()),
+        wide_muxes: true,
     };
     let (s, r) = route(&design, Router::Ice40, &options).unwrap_or_else(|e| panic!("{e}"));
     // One for the depths, two for the 18 bits of their pages.

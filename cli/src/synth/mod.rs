@@ -55,6 +55,9 @@ pub struct SynthArgs {
     /// Run the tools even if their results are known, and do not keep them
     #[arg(long)]
     no_cache: bool,
+    /// No multiplexers wider than a look-up table: longer paths, far fewer look-up tables on Spartan-3
+    #[arg(long)]
+    no_wide_mux: bool,
     /// Folder for Verilog, netlists and reports [default: none are kept]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
@@ -81,6 +84,7 @@ pub fn run(a: &SynthArgs, global: Global) -> Outcome {
     let options = Options {
         cache: !a.no_cache,
         output: a.output.as_deref(),
+        wide_muxes: !a.no_wide_mux,
     };
     let mut rows = vec![];
     let mut done: Vec<Synthesis> = vec![];

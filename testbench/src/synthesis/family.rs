@@ -60,13 +60,14 @@ impl Family {
     }
 
     /// The commands that map a design with this top module, without pads and clock buffers where Yosys would add them.
-    pub(super) fn synthesis(self, top: &str) -> String {
+    pub(super) fn synthesis(self, top: &str, wide_muxes: bool) -> String {
         match self {
             Self::Ice40 => format!("synth_ice40 -top {top}"),
             Self::Ecp5 => format!("synth_ecp5 -top {top}"),
             // Yosys 0.23 leaves out the clock enable of shift registers that it makes look-up tables of.
             _ => {
-                format!("synth_xilinx -family {self} -top {top} -flatten -noiopad -noclkbuf -nosrl")
+                let without = if wide_muxes { "" } else { " -nowidelut" };
+                format!("synth_xilinx -family {self} -top {top} -flatten -noiopad -noclkbuf -nosrl{without}")
             }
         }
     }

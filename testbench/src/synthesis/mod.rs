@@ -45,6 +45,9 @@ pub struct Options<'a> {
     pub cache: bool,
     /// Folder for netlists and the tools' own reports.
     pub output: Option<&'a Path>,
+    /// Let Yosys choose with wide multiplexers of several look-up tables: shorter paths, and where a look-up table has four
+    /// inputs half as many again of them.
+    pub wide_muxes: bool,
 }
 
 /// What Yosys made of a design.
@@ -114,7 +117,7 @@ fn mapped<R>(
     }
     let version = output(Command::new("yosys").arg("-V"), false).map_err(failed)?;
     let tool = version.split(" (").next().unwrap_or(&version).trim();
-    let script = script(design, family);
+    let script = script(design, family, options.wide_muxes);
     let sources = verilog(design);
     let sources = sources
         .iter()
@@ -167,7 +170,7 @@ fn verilog(design: &Design) -> Vec<&PackageFile> {
 }
 
 /// What Yosys is to do, from sources to reports.
-fn script(design: &Design, family: Family) -> String {
+fn script(design: &Design, family: Family, wide_muxes: bool) -> String {
     let mut out = String::new();
     for f in verilog(design) {
         out += &format!("read_verilog \"{}\"\n", f.path);
@@ -180,7 +183,7 @@ fn script(design: &Design, family: Family) -> String {
     out += &format!(
         "{}\ntee -q -o stat.json stat -json\ntee -q -o depth.txt ltp -noff t:*{without} w:* %u\n\
          write_verilog -noattr netlist.v\n",
-        family.synthesis(&design.top)
+        family.synthesis(&design.top, wide_muxes)
     );
     if family.has_delays() {
         out += "read_verilog -lib -specify +/xilinx/cells_sim.v\ntee -q -o arrival.txt sta\n";
@@ -217,14 +220,17 @@ mod tests {
             top: "core".into(),
             files: vec![file("rtl/b.v"), file("rtl/files.f"), file("rtl/a.v")],
         };
-        let xc7 = script(&design, Family::Xc7);
+        let xc7 = script(&design, Family::Xc7, true);
         assert!(xc7.starts_with(
             "read_verilog \"rtl/a.v\"\nread_verilog \"rtl/b.v\"\nsynth_xilinx -family xc7 -top core "
         ));
         assert!(xc7.contains("ltp -noff t:* t:FD* %d t:RAM* %d t:SRL* %d w:* %u\n"));
+        assert!(!xc7.contains("-nowidelut"));
+        let spartan_3 = script(&design, Family::Xc3s, false);
+        assert!(spartan_3.contains(" -top core -flatten -noiopad -noclkbuf -nosrl -nowidelut\n"));
         assert!(xc7.ends_with("tee -q -o arrival.txt sta\n"));
-        let ecp5 = script(&design, Family::Ecp5);
+        let ecp5 = script(&design, Family::Ecp5, true);
         assert!(ecp5.contains("\nsynth_ecp5 -top core\n") && ecp5.ends_with("netlist.json\n"));
-        assert!(!script(&design, Family::Xc6s).contains("sta\n"));
+        assert!(!script(&design, Family::Xc6s, true).contains("sta\n"));
     }
 }
