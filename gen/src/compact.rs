@@ -11,9 +11,11 @@ use shadegate_hdl::simulate::{Clocked, Simulator};
 
 /// The six words of the walk beside its edges, and three times six: what a triangle needs, in the order of writing.
 ///
-/// The triangle's words are those of the quadratic core, all of them (nothing left out or sent together).
+/// The triangle's words are those of the quadratic core, all of them (nothing left out or sent together). `dropped` is the
+/// number of fraction bits that a difference has and the value has not: half a step of the value is added to both first
+/// differences, so that what the value drops is rounded.
 #[must_use]
-pub fn words(triangle: &Primitive) -> Vec<(u8, u32)> {
+pub fn words(triangle: &Primitive, dropped: u32) -> Vec<(u8, u32)> {
     let word = |select: u8| {
         let of = triangle.writes.iter().find(|(s, _)| *s == select);
         of.map_or(0, |(_, data)| *data)
@@ -31,7 +33,10 @@ pub fn words(triangle: &Primitive) -> Vec<(u8, u32)> {
         0 => rows,
         part => part.min(rows),
     };
-    let shape = mirrored << 22 | (rows - upper_rows) << 11 | upper_rows;
+    let first_row = word(1) & 0x7ff;
+    let row = |n: u64| first_row + n & 0x7ff;
+    let has_lower = u64::from(rows > upper_rows);
+    let shape = has_lower << 23 | mirrored << 22 | row(rows) << 11 | row(upper_rows);
     let mut out = vec![
         (7, major[0]),
         (0, major[1]),
@@ -43,12 +48,17 @@ pub fn words(triangle: &Primitive) -> Vec<(u8, u32)> {
         (4, lower[1]),
         (5, lower[2]),
         (8, shape as u32),
-        (9, (word(1) & 0x7ff) as u32),
+        (9, first_row as u32),
     ];
     for mask in [16, 32, 64] {
         let quadric = std::array::from_fn(|i| word(mask | i as u8));
         for (i, data) in channel_words(quadric).into_iter().enumerate() {
-            out.push((mask | i as u8, data as u32));
+            let half = if matches!(i, 1 | 2) {
+                (1 << dropped) >> 1
+            } else {
+                0
+            };
+            out.push((mask | i as u8, (data as u32).wrapping_add(half)));
         }
     }
     out

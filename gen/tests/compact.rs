@@ -21,10 +21,15 @@ fn every_word() -> StimulusOptions {
 type Pixel = (u16, u16, [u8; 3]);
 
 /// The pixels that a unit offers, and the clocks that it took.
-fn draw(mut unit: CompactModel, stimulus: &Stimulus, width: u32) -> (Vec<Pixel>, u64) {
+fn draw(
+    mut unit: CompactModel,
+    stimulus: &Stimulus,
+    width: u32,
+    dropped: u32,
+) -> (Vec<Pixel>, u64) {
     let mut writes: Vec<(u8, u32, bool)> = vec![(11, width, false)];
     for t in &stimulus.primitives {
-        let words = words(t);
+        let words = words(t, dropped);
         let last = words.len() - 1;
         writes.extend(words.iter().enumerate().map(|(i, w)| (w.0, w.1, i == last)));
     }
@@ -67,7 +72,7 @@ fn pixel_for_pixel_the_quadratic_core() {
     let trace = Trace::record(core, &stimulus, |_| true);
     let want: Vec<Pixel> = trace.pixels.iter().map(|p| (p.x, p.y, p.rgb)).collect();
     assert!(want.len() > 20_000, "{}", want.len());
-    let (got, _) = draw(CompactModel::new(11, 20, 20), &stimulus, 120);
+    let (got, _) = draw(CompactModel::new(11, 20, 20), &stimulus, 120, 0);
     let differs = want.iter().zip(&got).position(|(a, b)| a != b);
     assert_eq!((differs, got.len()), (None, want.len()));
 }
@@ -119,7 +124,7 @@ fn short_words_are_faithful_over_512_pixels() {
             let t = triangle(at, colours);
             let one = std::slice::from_ref(&t);
             let stimulus = build(&core, one, viewport, &every_word()).expect("in range");
-            let (pixels, _) = draw(CompactModel::new(9, 20, 12), &stimulus, 512);
+            let (pixels, _) = draw(CompactModel::new(8, 20, 11), &stimulus, 512, 9);
             total += pixels.len();
             for (x, y, rgb) in pixels {
                 let w = weights(&t.position, i32::from(x), i32::from(y));
@@ -158,7 +163,7 @@ fn the_rate_by_size_of_triangle() {
         let stimulus = build(&core, &triangles, viewport, &every_word()).expect("in range");
         let trace = Trace::record(core, &stimulus, |clock| clock % 11 != 5);
         let full = trace.pixels.len() as f64 / trace.cycles as f64;
-        let (pixels, clocks) = draw(CompactModel::new(11, 20, 20), &stimulus, 320);
+        let (pixels, clocks) = draw(CompactModel::new(11, 20, 20), &stimulus, 320, 0);
         let rate = pixels.len() as f64 / clocks as f64;
         let each = pixels.len() / 200;
         // The consumer takes ten pixels in eleven clocks.

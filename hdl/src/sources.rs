@@ -50,6 +50,7 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("chebyshev", include_str!("lit/chebyshev.rs")),
     ("chebyshev_core", include_str!("shade/chebyshev.rs")),
     ("compact_channel", include_str!("compact/channel.rs")),
+    ("compact_clamp", include_str!("compact/clamp.rs")),
     ("compact_unit", include_str!("compact/unit.rs")),
     ("compact_walk", include_str!("compact/walk.rs")),
     ("clamp_factor", include_str!("lit/clamp.rs")),

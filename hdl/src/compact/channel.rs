@@ -35,9 +35,9 @@ pub struct CompactChannel<const D: usize, const M: usize, const N: usize, const 
     pub add_value: Signal<In, Bit>,
     /// Adds the word to the difference along the line step.
     pub add_line: Signal<In, Bit>,
-    /// Adds to the difference along the pixel step.
+    /// Adds the word to the difference along the pixel step.
     pub add_pixel: Signal<In, Bit>,
-    /// The additions are those of a pixel step.
+    /// The value takes the difference along the pixel step, not along the line step.
     pub pixel_step: Signal<In, Bit>,
     /// Keeps the word as second difference along the span.
     pub keep_bend: Signal<In, Bit>,
@@ -48,15 +48,11 @@ pub struct CompactChannel<const D: usize, const M: usize, const N: usize, const 
     /// Integer part of the value at the current pixel, rounded down.
     pub value: Signal<Out, Q<M, 0>>,
     /// Words of this triangle and the next.
-    words: Quiet<WordMemory<D>>,
+    memory: Quiet<WordMemory<D>>,
     /// The word at the address.
     word: Wire<Q<M, N>>,
-    /// What the value takes.
-    value_step: Wire<Q<M, N>>,
-    /// The same, with the value's fraction bits.
-    value_cut: Wire<Q<M, V>>,
-    /// What the difference along the pixel step takes.
-    pixel_add: Wire<Q<M, N>>,
+    /// What the value takes, with its fraction bits.
+    value_step: Wire<Q<M, V>>,
     /// Difference along the span, with the value's fraction bits.
     first_cut: Wire<Q<M, V>>,
     /// Value at the start of the next span.
@@ -96,11 +92,9 @@ impl<const D: usize, const M: usize, const N: usize, const V: usize> Default
             take: Default::default(),
             run: Default::default(),
             value: Default::default(),
-            words: Default::default(),
+            memory: Default::default(),
             word: Default::default(),
             value_step: Default::default(),
-            value_cut: Default::default(),
-            pixel_add: Default::default(),
             first_cut: Default::default(),
             value_line: Default::default(),
             d_line: Default::default(),
@@ -125,25 +119,22 @@ impl<const D: usize, const M: usize, const N: usize, const V: usize> Logic
         comment!("source Abbas 2003, section 2.2.3 and appendix; exact at pixel centres, a carry is one more pixel step.");
         comment!("latency One clock per addition; one value per clock along a span.");
         dff_setup!(self, clock, value_line, d_line, d_pixel, bend, total, first);
-        self.words.clock.next = self.clock.val();
-        self.words.write.next = self.write.val();
-        self.words.address.next = self.address.val();
-        self.words.write_data.next = self.data.val();
-        self.word.next = signed_cast_bits::<M, N, D>(self.words.read_data.val());
+        self.memory.clock.next = self.clock.val();
+        self.memory.write.next = self.write.val();
+        self.memory.address.next = self.address.val();
+        self.memory.write_data.next = self.data.val();
+        self.word.next = signed_cast_bits::<M, N, D>(self.memory.read_data.val());
 
-        self.value_step.next = self.d_line.q.val();
-        self.pixel_add.next = self.word.val();
+        self.value_step.next = signed_cast_align::<M, V, M, N>(self.d_line.q.val());
         if self.pixel_step.val() {
-            self.value_step.next = self.d_pixel.q.val();
-            self.pixel_add.next = self.bend.q.val();
+            self.value_step.next = signed_cast_align::<M, V, M, N>(self.d_pixel.q.val());
         }
-        self.value_cut.next = signed_cast_align::<M, V, M, N>(self.value_step.val());
         self.first_cut.next = signed_cast_align::<M, V, M, N>(self.first.q.val());
 
         if self.clear.val() {
             self.value_line.d.next = self.no_value.val();
         } else if self.add_value.val() {
-            self.value_line.d.next = self.value_line.q.val() + self.value_cut.val();
+            self.value_line.d.next = self.value_line.q.val() + self.value_step.val();
         }
         if self.clear.val() || self.clear_line.val() {
             self.d_line.d.next = self.no_step.val();
@@ -153,7 +144,7 @@ impl<const D: usize, const M: usize, const N: usize, const V: usize> Logic
         if self.clear.val() {
             self.d_pixel.d.next = self.no_step.val();
         } else if self.add_pixel.val() {
-            self.d_pixel.d.next = self.d_pixel.q.val() + self.pixel_add.val();
+            self.d_pixel.d.next = self.d_pixel.q.val() + self.word.val();
         }
         if self.keep_bend.val() {
             self.bend.d.next = self.word.val();

@@ -15,10 +15,12 @@
 //! |---|---|
 //! | [`word_memory`] | sixteen words in look-up tables |
 //! | [`channel`] | a colour over a triangle |
+//! | [`clamp`] | its byte |
 //! | [`walk`] | rows, edges, pixels, and the order of the additions |
 //! | [`unit`] | the walk, three channels, clamp, pixel hand-over; no depth test |
 
 pub mod channel;
+pub mod clamp;
 pub mod unit;
 pub mod walk;
 pub mod word_memory;

@@ -1,8 +1,8 @@
 //! Integer model of the compact unit, clock by clock.
 
+use super::clamp::clamp_model;
 use super::CHANNEL_WORDS;
 use crate::format::{mask, wrap};
-use crate::shade::saturate::saturate_model;
 
 /// What the unit sees in one clock.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -82,7 +82,9 @@ pub struct CompactModel {
     value_fraction: usize,
     edges: [u32; 16],
     channels: [Channel; 3],
+    /// One past the last row of the upper and of the lower minor edge.
     rows: [u64; 2],
+    lower: bool,
     mirrored: bool,
     row: u64,
     frame_width: u64,
@@ -90,8 +92,9 @@ pub struct CompactModel {
     bank: usize,
     phase: Phase,
     active: bool,
-    left: u64,
-    lower_rows: u64,
+    turn: u64,
+    end_row: u64,
+    has_lower: bool,
     on_lower: bool,
     switching: bool,
     carried: bool,
@@ -117,6 +120,7 @@ impl CompactModel {
             edges: [0; 16],
             channels: [Channel::default(); 3],
             rows: [0; 2],
+            lower: false,
             mirrored: false,
             row: 0,
             frame_width: 0,
@@ -124,8 +128,9 @@ impl CompactModel {
             bank: 0,
             phase: Phase::Stands,
             active: false,
-            left: 0,
-            lower_rows: 0,
+            turn: 0,
+            end_row: 0,
+            has_lower: false,
             on_lower: false,
             switching: false,
             carried: false,
@@ -164,7 +169,7 @@ impl CompactModel {
             y: self.pixel_row,
             rgb: self
                 .channels
-                .map(|c| saturate_model(c.total >> self.value_fraction)),
+                .map(|c| clamp_model(c.total >> self.value_fraction, self.integer)),
             busy: self.pending || self.active || self.phase != Phase::Stands || self.running,
         }
     }
@@ -187,12 +192,7 @@ impl CompactModel {
                 c.d_line = wrap(old.d_line.wrapping_add(old.words[half + w]), width);
             }
             if let Some(w) = pixel {
-                let step = if pixel_step {
-                    old.bend
-                } else {
-                    old.words[half + w]
-                };
-                c.d_pixel = wrap(old.d_pixel.wrapping_add(step), width);
+                c.d_pixel = wrap(old.d_pixel.wrapping_add(old.words[half + w]), width);
             }
         }
     }
@@ -204,9 +204,11 @@ impl CompactModel {
                     (c.value, c.d_line, c.d_pixel) = (0, 0, 0);
                 }
                 (self.major, self.minor) = (Edge::default(), Edge::default());
+                self.line_row = 0;
             }
             2 => {
                 self.add(false, false, Some(0), None);
+                self.line_row = self.row;
                 self.major.add(self.edges[7]);
             }
             3 => {
@@ -239,7 +241,7 @@ impl CompactModel {
         match self.phase {
             Phase::Loads(n) => self.load_phase(n, pixel_free),
             Phase::Steps => {
-                self.add(false, false, None, Some(5));
+                self.add(false, false, self.carried.then_some(5), Some(5));
                 let step = if self.on_lower { 4 } else { 2 };
                 if self.switching {
                     self.minor = Edge::default();
@@ -252,7 +254,7 @@ impl CompactModel {
             }
             Phase::Finishes => {
                 if self.carried {
-                    self.add(true, true, Some(5), Some(5));
+                    self.add(true, true, None, Some(3));
                 }
                 if self.switching {
                     self.minor.add(self.edges[half + 6]);
@@ -273,18 +275,17 @@ impl CompactModel {
                         (c.total, c.first) = (c.value, c.d_pixel);
                     }
                 }
-                self.switching = self.left == 1;
-                if self.switching && (self.on_lower || self.lower_rows == 0) {
+                let next_row = (self.line_row + 1) & mask(11);
+                self.switching = next_row == self.turn;
+                if self.switching && (self.on_lower || !self.has_lower) {
                     self.switching = false;
                     self.active = false;
                     return has_pixels;
                 }
-                self.left = if self.switching {
-                    self.lower_rows
-                } else {
-                    (self.left.wrapping_sub(1)) & mask(11)
-                };
-                self.line_row = (self.line_row + 1) & mask(11);
+                if self.switching {
+                    self.turn = self.end_row;
+                }
+                self.line_row = next_row;
                 self.carried = self.major.carries();
                 self.add(false, true, Some(4), None);
                 self.major.add(self.edges[half + usize::from(self.carried)]);
@@ -293,8 +294,8 @@ impl CompactModel {
             }
             Phase::Stands if self.pending => {
                 self.bank ^= 1;
-                (self.left, self.lower_rows) = (self.rows[0], self.rows[1]);
-                self.line_row = self.row;
+                (self.turn, self.end_row) = (self.rows[0], self.rows[1]);
+                self.has_lower = self.lower;
                 self.on_lower = false;
                 self.phase = Phase::Loads(1);
             }
@@ -355,6 +356,7 @@ impl CompactModel {
             8 => {
                 self.rows = [data & mask(11), data >> 11 & mask(11)];
                 self.mirrored = data >> 22 & 1 == 1;
+                self.lower = data >> 23 & 1 == 1;
             }
             9 => self.row = data & mask(11),
             11 => self.frame_width = data & mask(12),

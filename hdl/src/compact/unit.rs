@@ -4,17 +4,17 @@
 //! words of the [`super::walk`]. One write may go to several channels.
 
 use super::channel::CompactChannel;
+use super::clamp::CompactClamp;
 use super::walk::CompactWalk;
-use crate::format::{bit_cast_u, signed_cast_align, U};
-use crate::shade::saturate::Saturate;
+use crate::format::{bit_cast_u, U};
 use crate::simulate::{Quiet, Wire};
 use rust_hdl_core::prelude::*;
 
 /// Colours Q11.20, as in the quadratic core: knots from 0 to 1530, frames of up to 512 columns and rows.
 pub type CompactUnit32 = CompactUnit<32, 11, 20, 20>;
 /// The word lengths that triangles of up to 512 columns and rows need: knots from 0 to 255 leave their range by a third,
-/// which nine integer bits hold; differences keep 20 fraction bits, values 12.
-pub type CompactUnit30 = CompactUnit<30, 9, 20, 12>;
+/// which nine bits hold ([`super::clamp`]); differences keep 20 fraction bits, values 11.
+pub type CompactUnit29 = CompactUnit<29, 8, 20, 11>;
 
 /// `D` = 1 + `M` + `N`: width of a colour word; `V`: fraction bits of a value.
 #[derive(LogicBlock, Default)]
@@ -64,11 +64,11 @@ pub struct CompactUnit<const D: usize, const M: usize, const N: usize, const V: 
     /// Blue over the triangle.
     blue_value: Quiet<CompactChannel<D, M, N, V>>,
     /// Red, clamped.
-    red_byte: Quiet<Saturate>,
+    red_byte: Quiet<CompactClamp<M>>,
     /// Green, clamped.
-    green_byte: Quiet<Saturate>,
+    green_byte: Quiet<CompactClamp<M>>,
     /// Blue, clamped.
-    blue_byte: Quiet<Saturate>,
+    blue_byte: Quiet<CompactClamp<M>>,
 }
 
 impl<const D: usize, const M: usize, const N: usize, const V: usize> Logic
@@ -136,9 +136,9 @@ impl<const D: usize, const M: usize, const N: usize, const V: usize> Logic
         self.blue_value.take.next = self.walk.take.val();
         self.blue_value.run.next = self.walk.run.val();
 
-        self.red_byte.value.next = signed_cast_align::<11, 0, M, 0>(self.red_value.value.val());
-        self.green_byte.value.next = signed_cast_align::<11, 0, M, 0>(self.green_value.value.val());
-        self.blue_byte.value.next = signed_cast_align::<11, 0, M, 0>(self.blue_value.value.val());
+        self.red_byte.value.next = self.red_value.value.val();
+        self.green_byte.value.next = self.green_value.value.val();
+        self.blue_byte.value.next = self.blue_value.value.val();
 
         self.load_ready.next = self.walk.load_ready.val();
         self.valid.next = self.walk.fragment.val();

@@ -13,7 +13,7 @@
 //! | 2, 3 | upper minor edge, likewise |
 //! | 4, 5, 6 | lower minor edge, likewise, and its first column\[31:20\], error\[19:0\] |
 //! | 7, 15 | major and upper minor edge: first column, error |
-//! | 8 | mirrored\[22\], lower rows\[21:11\], upper rows\[10:0\] (at least 1) |
+//! | 8 | has a lower minor edge\[23\], mirrored\[22\], one past its last row\[21:11\], of the upper one\[10:0\] |
 //! | 9 | first row\[10:0\] |
 //! | 11 | frame width\[11:0\], for all triangles |
 //!
@@ -21,14 +21,14 @@
 //!
 //! | phase | channels | edges |
 //! |---|---|---|
-//! | 1 | clear | clear both, take the rows |
-//! | 2 | d_line += value | major += first |
+//! | 1 | clear | clear both and the row |
+//! | 2 | d_line += value | major += first, row += first |
 //! | 3 | value += d_line, clear d_line | upper += first |
 //! | 4, 5 | d_line += d_line, d_pixel += d_pixel | |
 //! | 6, when the last span has ended | keep dd_pixel | |
-//! | 0, a span is taken | value += d_line, d_line += dd_line | major += step |
-//! | 8 | d_pixel += dd_pixel_line | minor += step, or clear for the lower one |
-//! | 9, carry or lower edge | the pixel step, d_line += dd_pixel_line | lower += first |
+//! | 0, a span is taken | value += d_line, d_line += dd_line | major += step, row += 1 |
+//! | 8 | d_pixel += dd_pixel_line, with carry also d_line += dd_pixel_line | minor += step, or clear for the lower one |
+//! | 9, carry or lower edge | value += d_pixel, d_pixel += dd_pixel | lower += first |
 
 use super::word_memory::WordMemory;
 use crate::format::{bit_cast_u, signed_cast_bits, unsigned_cast_integer, Q, U};
@@ -100,7 +100,7 @@ walk! {
         add_line: Bit,
         /// Channels add to their difference along the pixel step.
         add_pixel: Bit,
-        /// These additions are those of a pixel step.
+        /// The value takes the difference along the pixel step.
         pixel_step: Bit,
         /// Channels keep the second difference along the span.
         keep_bend: Bit,
@@ -124,10 +124,12 @@ walk! {
         bank: Register<Bit>,
         /// Columns of the frame.
         frame_width: Register<U<12>>,
-        /// Next triangle, rows of the upper minor edge.
-        word_upper: Register<U<11>>,
-        /// Next triangle, rows of the lower one.
-        word_lower: Register<U<11>>,
+        /// Next triangle, one past the last row of the upper minor edge.
+        word_turn: Register<U<11>>,
+        /// Next triangle, one past the last row of all.
+        word_end: Register<U<11>>,
+        /// Next triangle, it has a lower minor edge.
+        word_lower: Register<Bit>,
         /// Next triangle, columns are complemented.
         word_mirrored: Register<Bit>,
         /// Next triangle, first row.
@@ -136,10 +138,12 @@ walk! {
         phase: Register<U<4>>,
         /// There is a span to stand on.
         line_active: Register<Bit>,
-        /// Rows of this minor edge from this one on.
-        rows_left: Register<U<11>>,
-        /// Rows of the lower minor edge.
-        lower_rows: Register<U<11>>,
+        /// One past the last row of this minor edge.
+        turn_row: Register<U<11>>,
+        /// One past the last row of the triangle.
+        end_row: Register<U<11>>,
+        /// The triangle has a lower minor edge.
+        has_lower: Register<Bit>,
         /// The lower minor edge is walked.
         on_lower: Register<Bit>,
         /// The lower minor edge begins.
@@ -190,7 +194,7 @@ walk! {
         edge_step: Wire<Q<19, 0>>,
         /// Bits of it.
         step_bits: Wire<U<20>>,
-        /// Next column of the major edge.
+        /// The major edge and the row are cleared.
         clear_edges: Wire<Bit>,
         /// The major edge adds the word.
         add_major: Wire<Bit>,
@@ -212,6 +216,12 @@ walk! {
         taking: Wire<Bit>,
         /// The line registers move on.
         advance: Wire<Bit>,
+        /// What the row takes.
+        row_add: Wire<U<11>>,
+        /// The row takes it.
+        add_row: Wire<Bit>,
+        /// The row after this one.
+        next_row: Wire<U<11>>,
         /// The row is the last of its minor edge.
         last_row: Wire<Bit>,
         /// The triangle goes on below this row.
@@ -234,6 +244,8 @@ walk! {
         half: U<4> = U::new(8),
         /// One row.
         one_row: U<11> = U::new(1),
+        /// No row.
+        no_row: U<11> = U::new(0),
         /// One phase.
         one_phase: U<4> = U::new(1),
         /// One column.
@@ -261,14 +273,16 @@ impl Logic for CompactWalk {
             pending,
             bank,
             frame_width,
-            word_upper,
+            word_turn,
+            word_end,
             word_lower,
             word_mirrored,
             word_row,
             phase,
             line_active,
-            rows_left,
-            lower_rows,
+            turn_row,
+            end_row,
+            has_lower,
             on_lower,
             switching,
             carried,
@@ -289,9 +303,10 @@ impl Logic for CompactWalk {
         self.accept.next = self.write_walk.val() && !self.pending.q.val();
         if self.accept.val() {
             if self.word.val() == 8u64.into() {
-                self.word_upper.d.next = self.data.val().get_bits::<11>(0);
-                self.word_lower.d.next = self.data.val().get_bits::<11>(11);
+                self.word_turn.d.next = self.data.val().get_bits::<11>(0);
+                self.word_end.d.next = self.data.val().get_bits::<11>(11);
                 self.word_mirrored.d.next = self.data.val().get_bit(22);
+                self.word_lower.d.next = self.data.val().get_bit(23);
             }
             if self.word.val() == 9u64.into() {
                 self.word_row.d.next = self.data.val().get_bits::<11>(0);
@@ -316,14 +331,19 @@ impl Logic for CompactWalk {
         self.running_now.next = self.running.q.val() && self.go.val();
 
         // Whether the line registers move.
-        self.has_pixels.next = self.major_column.q.val() < self.minor_column.q.val();
+        self.has_pixels.next = self.minor_column.q.val() > self.major_column.q.val();
         self.stands.next =
             self.line_active.q.val() && !self.phase.q.val().any() && !self.write.val();
         self.taking.next = self.stands.val() && self.has_pixels.val() && self.pixel_free.val();
         self.advance.next = self.stands.val() && (self.pixel_free.val() || !self.has_pixels.val());
-        self.last_row.next = self.rows_left.q.val() == self.one_row.val();
+        self.row_add.next = self.one_row.val();
+        if self.phase.q.val() == 2u64.into() {
+            self.row_add.next = self.word_row.q.val();
+        }
+        self.next_row.next = self.line_row.q.val() + self.row_add.val();
+        self.last_row.next = self.next_row.val() == self.turn_row.q.val();
         self.goes_on.next =
-            !self.last_row.val() || (!self.on_lower.q.val() && self.lower_rows.q.val().any());
+            !self.last_row.val() || (!self.on_lower.q.val() && self.has_lower.q.val());
         self.stepping.next = self.advance.val() && self.goes_on.val();
         self.begins.next = self.pending.q.val()
             && !self.line_active.q.val()
@@ -341,6 +361,7 @@ impl Logic for CompactWalk {
         self.clear_edges.next = false;
         self.clear_minor.next = false;
         self.add_major.next = self.stepping.val();
+        self.add_row.next = self.stepping.val();
         self.add_minor.next = false;
         self.channel_word.next = 4u64.into();
         self.edge_word.next = 0u64.into();
@@ -356,6 +377,7 @@ impl Logic for CompactWalk {
             if self.phase.q.val() == 2u64.into() {
                 self.add_line.next = true;
                 self.add_major.next = true;
+                self.add_row.next = true;
             }
             if self.phase.q.val() == 3u64.into() {
                 self.add_value.next = true;
@@ -372,13 +394,13 @@ impl Logic for CompactWalk {
                 self.keep_bend.next = self.pixel_free.val();
             }
             if self.phase.q.val() == 8u64.into() {
+                self.add_line.next = self.carried.q.val();
                 self.add_pixel.next = true;
                 self.add_minor.next = !self.switching.q.val();
                 self.clear_minor.next = self.switching.q.val();
             }
             if self.phase.q.val() == 9u64.into() {
                 self.add_value.next = self.carried.q.val();
-                self.add_line.next = self.carried.q.val();
                 self.add_pixel.next = self.carried.q.val();
                 self.pixel_step.next = true;
                 self.add_minor.next = self.switching.q.val();
@@ -415,7 +437,7 @@ impl Logic for CompactWalk {
             }
         }
         if self.phase.q.val() == 9u64.into() {
-            self.channel_word.next = 5u64.into();
+            self.channel_word.next = 3u64.into();
             self.edge_word.next = 6u64.into();
         }
 
@@ -458,17 +480,20 @@ impl Logic for CompactWalk {
         }
 
         // Rows.
+        if self.clear_edges.val() {
+            self.line_row.d.next = self.no_row.val();
+        } else if self.add_row.val() {
+            self.line_row.d.next = self.next_row.val();
+        }
         if self.begins.val() {
             self.bank.d.next = !self.bank.q.val();
-            self.rows_left.d.next = self.word_upper.q.val();
-            self.lower_rows.d.next = self.word_lower.q.val();
-            self.line_row.d.next = self.word_row.q.val();
+            self.turn_row.d.next = self.word_turn.q.val();
+            self.end_row.d.next = self.word_end.q.val();
+            self.has_lower.d.next = self.word_lower.q.val();
             self.on_lower.d.next = false;
         } else if self.stepping.val() {
-            self.line_row.d.next = self.line_row.q.val() + self.one_row.val();
-            self.rows_left.d.next = self.rows_left.q.val() - self.one_row.val();
             if self.last_row.val() {
-                self.rows_left.d.next = self.lower_rows.q.val();
+                self.turn_row.d.next = self.end_row.q.val();
             }
             self.switching.d.next = self.last_row.val();
             self.carried.d.next = !self.major_error.q.val().get_bit(19);

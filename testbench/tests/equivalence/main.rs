@@ -11,6 +11,7 @@
     clippy::vec_init_then_push
 )]
 
+mod compact;
 mod corpus;
 mod harness;
 mod printer;

@@ -121,14 +121,23 @@ impl Case {
     ///
     /// # Errors
     /// What rust-hdl's own check or the translation refuses.
-    pub fn run(mut self) -> Result<Unit, String> {
+    pub fn run(self) -> Result<Unit, String> {
+        let inputs = self.design.inputs();
+        let vectors = vectors(&self.name, &inputs, VECTORS, self.keep.as_ref());
+        self.run_on(vectors)
+    }
+
+    /// The same, on these vectors.
+    ///
+    /// # Errors
+    /// As [`Self::run`].
+    pub fn run_on(mut self, vectors: Vec<Vec<u128>>) -> Result<Unit, String> {
         let design = self.design.as_mut();
         design.connect_inputs();
         design.connect_all();
         check_all(design).map_err(|e| format!("{}: rust-hdl's check: {e:?}", self.name))?;
         let (module, files) = translate(&self.name, design)?;
         let inputs = design.inputs();
-        let vectors = vectors(&self.name, &inputs, VECTORS, self.keep.as_ref());
         let expected = native::run(design, &vectors, true);
         let outputs = native::outputs(design)
             .into_iter()
