@@ -17,6 +17,7 @@ use shadegate_testbench::bench::row::Row;
 use shadegate_testbench::bench::select::Selection;
 use shadegate_testbench::bench::skips::{scenes_in, skips, SkipRow};
 use shadegate_testbench::bench::sweep::{sweep, Grid};
+use shadegate_testbench::bench::within::{fastest_within, ACCEPTED};
 use shadegate_testbench::bench::write::{
     claim_files, files, front_name, groups, json, skip_files, File,
 };
@@ -170,7 +171,22 @@ fn row_text(rows: &[Row], all: bool) -> String {
         }
         out += &table.text();
     }
-    out
+    out + "\nThe fastest method by the largest error, in LSB, that is accepted:\n"
+        + &answer_text(rows)
+}
+
+/// For every task the fastest method within each of the [`ACCEPTED`] errors.
+fn answer_text(rows: &[Row]) -> String {
+    let mut table = Table::new(&["scene", "n", "size", "0", "1", "2", "5", "10", "20"]);
+    for task in groups(rows, Row::same_task) {
+        let first = task[0];
+        let (scene, exponent) = (first.scene.to_owned(), first.exponent.to_string());
+        let size = format!("{}x{}", first.width, first.height);
+        let name = |e| fastest_within(&task, e).map_or("-", |r| r.method);
+        let [a, b, c, d, e, f] = ACCEPTED.map(name).map(str::to_owned);
+        table.row([scene, exponent, size, a, b, c, d, e, f]);
+    }
+    table.text()
 }
 
 fn skip_text(rows: &[SkipRow]) -> String {

@@ -114,6 +114,14 @@ fn people_read_the_front_or_with_v_everything() {
         short.contains("\nsphere-168, n = 20, 160x120: the front\nmethod "),
         "{short}"
     );
+    let (_, answers) = short
+        .split_once("The fastest method by the largest error")
+        .unwrap();
+    let words: Vec<&str> = answers.lines().nth(2).unwrap().split_whitespace().collect();
+    assert_eq!(
+        words[..5],
+        ["sphere-168", "20", "160x120", "exact", "exact"]
+    );
     let long = text(&format!("{TINY} -v"));
     let names = |m: &str| long.lines().filter(|l| l.starts_with(m)).count();
     assert_eq!(

@@ -14,6 +14,7 @@ pub mod scenes;
 pub mod select;
 pub mod skips;
 pub mod sweep;
+pub mod within;
 pub mod write;
 
 use crate::compare::CompareError;

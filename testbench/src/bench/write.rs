@@ -5,6 +5,7 @@ use super::papers::Claim;
 use super::plot;
 use super::row::{csv, Row};
 use super::skips::SkipRow;
+use super::within;
 use super::BenchError;
 use serde_json::{json, Value};
 use std::fmt::Write;
@@ -69,6 +70,9 @@ pub fn groups(rows: &[Row], same: impl Fn(&Row, &Row) -> bool) -> Vec<Vec<&Row>>
 /// The tables: for each task the methods from fast to slow.
 fn markdown(machine: &Machine, rows: &[Row]) -> String {
     let mut out = head("Run time against error", "bench", machine);
+    out += "## The fastest method within an error\n\nThe error is the largest difference of a channel from `exact`.\n\n";
+    out += &within::table(rows);
+    out.push('\n');
     for mut group in groups(rows, Row::same_task) {
         let first = group[0];
         // Writing to a string cannot fail.
@@ -194,7 +198,7 @@ mod tests {
     fn a_file_of_each_kind_and_a_picture_for_each_scene_and_size() {
         let mut rows = vec![
             sample("flat", 2e6, 90, 12.0),
-            sample("gouraud", 1e6, 30, 3.0),
+            sample("gouraud", 1e6, 20, 3.0),
         ];
         let mut other = sample("flat", 3e6, 80, 11.0);
         other.exponent = 50;
@@ -218,10 +222,12 @@ mod tests {
         assert_eq!(json["rows"][1]["method"], "gouraud");
         assert!(json["rows"][0]["psnr_db"].is_number());
         let md = &files[2].text;
-        assert_eq!(md.matches("\n## ").count(), 3);
+        assert_eq!(md.matches("\n## ").count(), 4);
+        let (answer, tables) = md.split_once("\n## sphere-690, n = 20").unwrap();
+        assert!(answer.contains("| gouraud 1.000 ms |"), "{answer}");
         // From fast to slow.
         assert!(
-            md.find("| gouraud |").unwrap() < md.find("| flat |").unwrap(),
+            tables.find("| gouraud |").unwrap() < tables.find("| flat |").unwrap(),
             "{md}"
         );
     }
