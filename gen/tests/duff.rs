@@ -1,6 +1,10 @@
 //! The Duff core against an oracle of its own in f64: normals are blended and normalised at pixel centres. Triangles as
 //! large as a frame of 1024x1024, normals up to 80° apart, perspective weights, exponents up to the largest.
 
+#[path = "common/hunt.rs"]
+mod hunt;
+
+use hunt::{hunt, Effort};
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use shadegate_gen::stimulus::{build, Lobe, Material, StimulusOptions, Triangle};
@@ -50,8 +54,22 @@ impl Case {
         let spread = [0.05, 0.3, 0.6][i % 3];
         let normals = [near(spread), near(spread), near(spread)];
         let (light, half) = (near(0.8), near(0.3));
-        // The largest weight is 1.
         let weight = [1.0, r.random_range(0.75..=1.0), r.random_range(0.75..=1.0)];
+        let exponents = [1.0, 2.5, 20.0, 50.0, 100.0, 144.0, 300.0, 600.0];
+        let fitting: Vec<f64> = exponents.into_iter().filter(|n| *n <= greatest).collect();
+        let exponent = fitting[r.random_range(0..fitting.len())];
+        Self::of(i, position, normals, weight, [light, half], exponent)
+    }
+
+    /// Unit normals with weights, of which the largest is 1.
+    fn of(
+        i: usize,
+        position: [Point; 3],
+        normals: [Vector; 3],
+        weight: [f64; 3],
+        [light, half]: [Vector; 2],
+        shininess: f64,
+    ) -> Self {
         let normals: [Vector; 3] = std::array::from_fn(|k| normals[k].map(|c| c * weight[k]));
         let h = 0.5;
         let at = [
@@ -66,8 +84,6 @@ impl Case {
             let n = blend(w, &normals);
             [dot(n, light), dot(n, half), dot(n, n)]
         });
-        let exponents = [1.0, 2.5, 20.0, 50.0, 100.0, 144.0, 300.0, 600.0];
-        let fitting: Vec<f64> = exponents.into_iter().filter(|n| *n <= greatest).collect();
         let triangle = Triangle {
             position,
             depth: [(100 * i + 1) as f64; 3],
@@ -76,7 +92,7 @@ impl Case {
                 ambient: [10.0, 20.5, 0.0],
                 diffuse: [255.0, 200.0, 99.9],
                 specular: [255.0, 128.0, 31.0],
-                shininess: fitting[r.random_range(0..fitting.len())],
+                shininess,
                 lobe: Lobe::Power,
                 cone: None,
             }),
@@ -115,8 +131,8 @@ impl Case {
     }
 }
 
-/// Largest error beyond the rounding.
-fn worst(size: (u32, u32), cases: &[Case], off: f64) -> (f64, f64, usize) {
+/// Each triangle's largest error beyond the rounding, the bound, and the number of pixels.
+fn errors(size: (u32, u32), cases: &[Case], off: f64) -> (Vec<f64>, f64, usize) {
     let (width, height) = size;
     let core = Core::for_frame(Order::Duff, width, height).expect("in range");
     let view = Viewport { width, height };
@@ -126,15 +142,68 @@ fn worst(size: (u32, u32), cases: &[Case], off: f64) -> (f64, f64, usize) {
     }
     let stimulus = build(&core, &triangles, view, &StimulusOptions::default()).expect("in range");
     let trace = Trace::record(core, &stimulus, |_| true);
-    let mut worst = 0.0f64;
+    let mut worst = vec![0.0f64; cases.len()];
     for p in &trace.pixels {
         let want = cases[p.triangle].oracle(p.x, p.y);
         for (got, want) in p.rgb.into_iter().zip(want) {
-            worst = worst.max((f64::from(got) - want).abs() - 0.5);
+            let error = (f64::from(got) - want).abs() - 0.5;
+            worst[p.triangle] = worst[p.triangle].max(error);
         }
     }
     let bound = core.error_bound(longest_run(width, height).expect("in range"));
     (worst, bound, trace.pixels.len())
+}
+
+/// The largest error of all.
+fn worst(size: (u32, u32), cases: &[Case], off: f64) -> (f64, f64, usize) {
+    let (each, bound, pixels) = errors(size, cases, off);
+    (each.into_iter().fold(0.0, f64::max), bound, pixels)
+}
+
+/// A triangle by genes: corners, normals, weights, light and half-way vector, exponent.
+fn grown(genes: &[f64], size: (u32, u32), i: usize) -> Case {
+    let corner = |k: usize| Point {
+        x: ((genes[2 * k] * 1.4 - 0.2) * f64::from(256 * size.0)) as i32,
+        y: ((genes[2 * k + 1] * 1.4 - 0.2) * f64::from(256 * size.1)) as i32,
+    };
+    // A coordinate of a vector whose third is 1.
+    let near = |k: usize, spread: f64| {
+        let part = |g: f64| (2.0 * g - 1.0) * spread;
+        unit([part(genes[k]), part(genes[k + 1]), 1.0])
+    };
+    let weight = |k: usize| 0.75 + 0.25 * genes[k];
+    Case::of(
+        i,
+        [0, 1, 2].map(corner),
+        [6, 8, 10].map(|k| near(k, 0.6)),
+        [1.0, weight(12), weight(13)],
+        [near(14, 0.8), near(16, 0.3)],
+        1.0 + 143.0 * genes[18],
+    )
+}
+
+#[test]
+fn an_adversary_finds_no_pixel_beyond_the_bound() {
+    for (size, generations, population) in [((1024, 1024), 4, 4), ((256, 192), 40, 12)] {
+        let effort = Effort {
+            genes: 19,
+            generations,
+            population,
+        };
+        let mut bound = 0.0;
+        let found = hunt(effort, 65, |crowd| {
+            let crowd = crowd.iter().enumerate();
+            let cases: Vec<_> = crowd.map(|(i, g)| grown(g, size, i)).collect();
+            let (each, of, _) = errors(size, &cases, 0.0);
+            bound = of;
+            each
+        });
+        println!(
+            "{size:?}: {:.4}, random {:.4}, bound {bound:.4}",
+            found.worst, found.random
+        );
+        assert!(found.worst <= bound, "{found:?}");
+    }
 }
 
 #[test]

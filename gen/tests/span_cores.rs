@@ -2,7 +2,10 @@
 //! back pressure; and what they refuse.
 
 mod common;
+#[path = "common/hunt.rs"]
+mod hunt;
 
+use hunt::{hunt, Effort};
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use shadegate_gen::package::{registers, rtl};
@@ -89,13 +92,13 @@ fn blake(t: &Triangle, span: Span, pieces: fn(f64) -> Pieces) -> Vec<Vector> {
     (span.start..span.end).map(colour).collect()
 }
 
-/// Largest difference of a channel between a run and the definition, before the rounding of the definition.
-fn worst(
+/// Largest difference of a channel between a run and the definition, before the rounding of the definition, by triangle.
+fn worst_of_each(
     triangles: &[Triangle],
     view: Viewport,
     pixels: &[Pixel],
     define: impl Fn(&Triangle, Span) -> Vec<Vector>,
-) -> f64 {
+) -> Vec<f64> {
     let mut want = HashMap::new();
     for (index, t) in triangles.iter().enumerate() {
         let walk = Walk::new(t.position, view).expect("covers");
@@ -106,13 +109,26 @@ fn worst(
         }
     }
     assert_eq!(pixels.len(), want.len(), "every pixel once");
-    let error = |p: &Pixel| {
+    let mut worst = vec![0.0f64; triangles.len()];
+    for p in pixels {
         let want = want[&(p.triangle, p.x, p.y)];
-        (0..3)
-            .map(|c| (f64::from(p.rgb[c]) - want[c].clamp(0.0, 255.0)).abs())
-            .fold(0.0, f64::max)
-    };
-    pixels.iter().map(error).fold(0.0, f64::max)
+        for (got, want) in p.rgb.into_iter().zip(want) {
+            let error = (f64::from(got) - want.clamp(0.0, 255.0)).abs();
+            worst[p.triangle] = worst[p.triangle].max(error);
+        }
+    }
+    worst
+}
+
+/// The largest of all.
+fn worst(
+    triangles: &[Triangle],
+    view: Viewport,
+    pixels: &[Pixel],
+    define: impl Fn(&Triangle, Span) -> Vec<Vector>,
+) -> f64 {
+    let each = worst_of_each(triangles, view, pixels, define);
+    each.into_iter().fold(0.0, f64::max)
 }
 
 const VIEW: Viewport = Viewport {
@@ -194,6 +210,54 @@ fn blake_s_pieces_are_faithful_over_the_longest_spans() {
             println!("{kind:?}, n = {exponent}: {error:.3} LSB, bound 0.5 + {bound:.3}");
             assert!(error <= 0.5 + bound, "{kind:?} {exponent}: {error}");
         }
+    }
+}
+
+/// A triangle over the whole width by genes: normals from almost parallel to 90° apart.
+fn grown(genes: &[f64], exponent: f64, i: usize) -> Triangle {
+    let mut t = wide(1, exponent, 8).remove(0);
+    let lean = 1e-7f64.powf(genes[8]);
+    let side = |g: f64, most: f64| (2.0 * g - 1.0) * most;
+    let normals = [0, 1, 2].map(|k| {
+        let part = |c: usize| side(genes[c], 0.8) + side(genes[2 + 2 * k + c], lean);
+        [part(0), part(1), 1.0]
+    });
+    let colours = [13, 14, 15].map(|k| t.knots[k]);
+    t.knots = sample(normals, colours, exponent);
+    t.depth = [1000.0 + 1000.0 * i as f64; 3];
+    t
+}
+
+#[test]
+fn an_adversary_finds_no_pixel_beyond_the_bounds() {
+    let effort = Effort {
+        genes: 9,
+        generations: 12,
+        population: 12,
+    };
+    type Define = fn(&Triangle, Span) -> Vec<Vector>;
+    let kinds: [(SpanKind, f64, Define); 4] = [
+        (SpanKind::Slerp, 1.0, slerp),
+        (SpanKind::Slerp, 20.0, slerp),
+        (SpanKind::Blake, 5.0, |t, s| blake(t, s, Pieces::printed)),
+        (SpanKind::BlakeRefit, 20.0, |t, s| {
+            blake(t, s, Pieces::refit)
+        }),
+    ];
+    for (kind, exponent, define) in kinds {
+        let mut bound = 0.0;
+        let found = hunt(effort, 9, |crowd| {
+            let crowd = crowd.iter().enumerate();
+            let triangles: Vec<_> = crowd.map(|(i, g)| grown(g, exponent, i)).collect();
+            let (core, trace) = draw(kind, &triangles, VIEW);
+            bound = 0.5 + core.error_bound(1024);
+            worst_of_each(&triangles, VIEW, &trace.pixels, define)
+        });
+        println!(
+            "{kind:?}, n = {exponent}: {:.4}, random {:.4}, bound {bound:.4}",
+            found.worst, found.random
+        );
+        assert!(found.worst <= bound, "{kind:?}: {found:?}");
     }
 }
 
