@@ -2,6 +2,10 @@
 //! knots, at pixel centres, by barycentric weights and the six basis functions. Frames of 1024x1024 pixels with triangles
 //! as large as they come, random cosines and cosines chosen to be hard: crests, and edges of lobes and cones.
 
+#[path = "common/hunt.rs"]
+mod hunt;
+
+use hunt::{hunt, Effort};
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
 use shadegate_gen::stimulus::{build, Cone, Lobe, Material, Stimulus, StimulusOptions, Triangle};
@@ -154,23 +158,35 @@ fn sent(glint: Glint, size: (u32, u32), triangles: &[Triangle], skip: bool) -> S
     build(&core(glint, size), triangles, view, &options).expect("in range")
 }
 
-/// Largest error beyond half an LSB of what the sent triangles give, against those that are meant.
+/// Largest errors beyond half an LSB of what the sent triangles give, against those that are meant, and the pixels.
+fn errors(
+    glint: Glint,
+    size: (u32, u32),
+    sent_ones: &[Triangle],
+    meant: &[Triangle],
+) -> (Vec<f64>, usize) {
+    let stimulus = sent(glint, size, sent_ones, true);
+    let trace = Trace::record(core(glint, size), &stimulus, |_| true);
+    let mut worst = vec![0.0f64; meant.len()];
+    for p in &trace.pixels {
+        let want = oracle(glint, &meant[p.triangle], p.x, p.y);
+        for (got, want) in p.rgb.into_iter().zip(want) {
+            let error = (f64::from(got) - want).abs() - 0.5;
+            worst[p.triangle] = worst[p.triangle].max(error);
+        }
+    }
+    (worst, trace.pixels.len())
+}
+
+/// The largest of all.
 fn worst(
     glint: Glint,
     size: (u32, u32),
     sent_ones: &[Triangle],
     meant: &[Triangle],
 ) -> (f64, usize) {
-    let stimulus = sent(glint, size, sent_ones, true);
-    let trace = Trace::record(core(glint, size), &stimulus, |_| true);
-    let mut worst = 0.0f64;
-    for p in &trace.pixels {
-        let want = oracle(glint, &meant[p.triangle], p.x, p.y);
-        for (got, want) in p.rgb.into_iter().zip(want) {
-            worst = worst.max((f64::from(got) - want).abs() - 0.5);
-        }
-    }
-    (worst, trace.pixels.len())
+    let (each, pixels) = errors(glint, size, sent_ones, meant);
+    (each.into_iter().fold(0.0, f64::max), pixels)
 }
 
 fn bound(glint: Glint, size: (u32, u32)) -> f64 {
@@ -194,6 +210,67 @@ fn every_pixel_is_within_the_bound_on_large_triangles() {
             all.0, all.1
         );
         assert!(all.1 > 700_000, "{} pixels", all.1);
+    }
+}
+
+/// A triangle by genes: corners, crests or ramps of the cosines, lobe, cone, colours.
+fn grown(genes: &[f64], size: (u32, u32), i: usize) -> Triangle {
+    let corner = |k: usize| Point {
+        x: ((genes[2 * k] * 1.4 - 0.2) * f64::from(256 * size.0)) as i32,
+        y: ((genes[2 * k + 1] * 1.4 - 0.2) * f64::from(256 * size.1)) as i32,
+    };
+    let (degree, gamma) = (2 + (2.99 * genes[6]) as u8, 127.0 / 128.0 * genes[7]);
+    let width = 1.0 / 128.0 + 2.4 * genes[8] * genes[8];
+    let crest = |k: usize, width: f64, at: usize| {
+        let (cx, cy, wide) = (genes[k], genes[k + 1], 8.0 * width * genes[k + 2]);
+        let (u, v) = (AT[at].0 - cx, AT[at].1 - cy);
+        (1.0 - wide * (u * u + v * v)).max(-1.0)
+    };
+    let knot = |at: usize| {
+        let light = 1.5 * genes[15 + at] - 0.3;
+        [light, crest(9, 1.0 - gamma, at), crest(12, width, at)]
+    };
+    Triangle {
+        position: [0, 1, 2].map(corner),
+        depth: [(100 * i + 1) as f64; 3],
+        knots: (0..6).map(knot).collect(),
+        material: Some(Material {
+            ambient: [0.25, 0.5, 0.75],
+            diffuse: [255.0, 128.0, 31.0].map(|c| c * genes[21]),
+            specular: [31.0, 255.0, 128.0].map(|c| c * genes[22]),
+            shininess: 20.0,
+            lobe: Lobe::Kappa { degree, gamma },
+            cone: Some(Cone {
+                hard: genes[23] > 0.5,
+                width,
+            }),
+        }),
+        covering: None,
+        label: format!("grown {i}"),
+    }
+}
+
+#[test]
+fn an_adversary_finds_no_pixel_beyond_the_bound() {
+    for glint in [Glint::Kappa, Glint::Spot] {
+        for (size, generations, population) in [((1024, 1024), 3, 3), ((256, 192), 40, 12)] {
+            let effort = Effort {
+                genes: 24,
+                generations,
+                population,
+            };
+            let found = hunt(effort, 73, |crowd| {
+                let crowd = crowd.iter().enumerate();
+                let triangles: Vec<_> = crowd.map(|(i, g)| grown(g, size, i)).collect();
+                errors(glint, size, &triangles, &triangles).0
+            });
+            let bound = bound(glint, size);
+            println!(
+                "{glint:?} {size:?}: {:.4}, random {:.4}, bound {bound:.4}",
+                found.worst, found.random
+            );
+            assert!(found.worst <= bound, "{glint:?}: {found:?}");
+        }
     }
 }
 
