@@ -6,10 +6,14 @@
 //! register of the unit stands for in terms of the golden module (`total` is f(k)); it is proved along with the outputs, so
 //! a wrong one can only make a proof fail. The golden interpolants do not accumulate: they count steps and evaluate
 //! Newton's formula. A golden module with one mistake is refused, which is tested as well.
+//!
+//! The z-buffer's pages need too many invariants for that; it is proved for every input up to a number of clocks from
+//! power-up, and from the clock in which its generations come round.
 
 use rust_hdl_core::prelude::*;
 use shadegate_gen::netlist::{collect, elaborate, SignalKind};
 use shadegate_gen::verilog::emit;
+use shadegate_hdl::depth::z_buffer::ZBuffer;
 use shadegate_hdl::interpolate::constant_1::Constant1;
 use shadegate_hdl::interpolate::constant_2::Constant2;
 use shadegate_hdl::interpolate::cubic_1::Cubic1;
@@ -26,6 +30,8 @@ const ALONG: &str = include_str!("golden/along_a_span.v");
 const OVER: &str = include_str!("golden/over_a_triangle.v");
 const EDGE: &str = include_str!("golden/edge_walk.v");
 const LINE: &str = include_str!("golden/line_walk.v");
+
+const DEPTH: &str = include_str!("golden/z_buffer.v");
 
 /// A unit beside its golden module.
 struct Pair<'a> {
@@ -292,4 +298,87 @@ fn walk_along_a_line() {
     ];
     let forgets = [("e > 0", "e >= 0")];
     holds(LineWalk::<3>::default, pair(LINE, &invariants), &forgets);
+}
+
+/// What is replaced in which file.
+type Mistake = (&'static str, &'static str, &'static str);
+
+/// Whether Yosys proves the z-buffer of 16 words equal to the golden one for all inputs in so many clocks, from registers
+/// that are all zero but for these.
+fn depth_test_holds(clocks: usize, first: &str, mistake: Option<Mistake>) -> Result<(), String> {
+    let mut design = ZBuffer::<4>::new(16);
+    design.connect_all();
+    let netlist = collect(&design).map_err(|e| e.to_string())?;
+    let files = emit(&netlist, "a proof").map_err(|e| e.to_string())?;
+    let mut texts: Vec<(String, String)> = files
+        .into_iter()
+        .map(|f| (f.file_name(), f.text))
+        .chain([("golden.v".to_owned(), DEPTH.to_owned())])
+        .collect();
+    if let Some((file, right, wrong)) = mistake {
+        let text = texts.iter_mut().find(|t| t.0 == file).expect(file);
+        let changed = text.1.replacen(right, wrong, 1);
+        assert_ne!(changed, text.1, "{file}: {right}");
+        text.1 = changed;
+    }
+    let folder = tempfile::tempdir().expect("temporary directory");
+    let mut script = String::new();
+    for (name, text) in &texts {
+        std::fs::write(folder.path().join(name), text).expect("writable");
+        script += &format!("read_verilog -DSYNTHESIS {name}\n");
+    }
+    script += &format!(
+        "hierarchy -check -top pair\nproc\nsetattr -set keep 1 w:*\nmemory -nordff\nflatten\nopt -keepdc\n\
+         sat -verify -tempinduct -tempinduct-baseonly -maxsteps {clocks} -set-init-zero {first} \
+         -prove unit_pass golden_pass -prove unit_waiting golden_waiting -prove unit_depth golden_depth pair\n"
+    );
+    std::fs::write(folder.path().join("prove.ys"), script).expect("writable");
+    let run = Command::new("yosys")
+        .current_dir(folder.path())
+        .args(["-q", "prove.ys"])
+        .output()
+        .expect("yosys runs");
+    match run.status.success() {
+        true => Ok(()),
+        false => Err(String::from_utf8_lossy(&run.stdout).into_owned()
+            + &String::from_utf8_lossy(&run.stderr)),
+    }
+}
+
+/// Twelve clocks hold two clears and drawing before, between and after them.
+#[test]
+fn depths_up_to_twelve_clocks() {
+    if let Err(said) = depth_test_holds(12, "", None) {
+        panic!("{said}");
+    }
+    // The generation is the last one, and comes round with the first clear.
+    let last = "-set-init unit.pages.generation 10'd1023 -set-init unit.pages.known 1'b1";
+    if let Err(said) = depth_test_holds(9, last, None) {
+        panic!("{said}");
+    }
+}
+
+/// Each part of the unit is needed within these clocks: without it a proof fails.
+#[test]
+fn a_depth_test_with_a_mistake_is_refused() {
+    let mistakes: [Mistake; 6] = [
+        ("golden.v", "mine2 > there", "mine2 >= there"),
+        ("golden.v", "if (clear) {d0", "if (0) {d0"),
+        ("z_buffer.v", "if (forward) begin", "if (1'b0) begin"),
+        (
+            "z_buffer.v",
+            "if (same && visible) begin",
+            "if (1'b0) begin",
+        ),
+        ("frame_pages.v", "if (forward) begin", "if (1'b0) begin"),
+        (
+            "frame_pages.v",
+            "if (word_generation == generation) begin",
+            "if (1'b1) begin",
+        ),
+    ];
+    for mistake in mistakes {
+        let said = depth_test_holds(12, "", Some(mistake)).expect_err(mistake.2);
+        assert!(said.contains("proof"), "{said}");
+    }
 }
