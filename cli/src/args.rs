@@ -1,6 +1,6 @@
 //! The command line: global options and one variant per command.
 
-use crate::{bench, compare, completions, cosim, gen, list, man, render, synth};
+use crate::{bench, compare, completions, cosim, gen, list, man, plan, render, synth};
 use clap::{Args, Parser, Subcommand};
 
 /// Turns shading interpolators into FPGA hardware and checks every pixel of it.
@@ -48,6 +48,8 @@ pub enum Command {
     Gen(gen::GenArgs),
     /// Say what a core takes of a device family, and how fast a routed one runs
     Synth(synth::SynthArgs),
+    /// Say what a scene needs of a core, unit by unit, and why
+    Plan(plan::PlanArgs),
     /// Say how far two images are apart (exit code 1 if they differ)
     Compare(compare::CompareArgs),
     /// Measure run time against error of every method

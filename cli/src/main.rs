@@ -13,6 +13,7 @@ mod measures;
 mod names;
 mod outcome;
 mod output;
+mod plan;
 mod progress;
 mod render;
 mod run;

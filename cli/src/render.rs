@@ -211,7 +211,11 @@ fn parse_threads(text: &str) -> Result<usize, Failure> {
     })
 }
 
-fn parse_error(text: &str) -> Result<f64, Failure> {
+/// A largest error that was typed.
+///
+/// # Errors
+/// What is not a number from 0 to 255.
+pub fn parse_error(text: &str) -> Result<f64, Failure> {
     let e = text.parse().ok().filter(|e| (0.0..=255.0).contains(e));
     e.ok_or_else(|| {
         Failure::input(format!(

@@ -24,6 +24,7 @@ fn dispatch(cli: &Cli) -> Outcome {
         Command::Render(a) => crate::render::run(a, global),
         Command::Gen(a) => crate::gen::run(a, global),
         Command::Synth(a) => crate::synth::run(a, global),
+        Command::Plan(a) => crate::plan::run(a, global),
         Command::Compare(a) => crate::compare::run(a, global),
         Command::Bench(a) => crate::bench::run(a, global),
         Command::List(a) => crate::list::run(a, global),

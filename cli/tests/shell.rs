@@ -28,7 +28,7 @@ fn a_page_for_every_command() {
     f.run("man -o man")
         .code(0)
         .stderr("")
-        .stdout("wrote 10 pages to man\n");
+        .stdout("wrote 11 pages to man\n");
     let main = std::fs::read_to_string(f.0.path().join("man/shadegate.1")).unwrap();
     let written = f.json("man -o man", 0);
     for file in written["files"].as_array().unwrap() {

@@ -9,6 +9,7 @@ pub mod geometry;
 pub mod line;
 pub mod mesh;
 pub mod method;
+pub mod needs;
 mod parallel;
 pub mod raster;
 pub mod render;

@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 
 /// What fixed point and f32 may add to the error of constant, linear and quadratic colours and of quadratic products, LSB (see
 /// the renderer).
-const ARITHMETIC: f64 = 0.02;
+pub(crate) const ARITHMETIC: f64 = 0.02;
 
 /// Triangles of fewer pixels are shaded per pixel without asking what would be enough.
 const FEW: u64 = 12;
