@@ -53,7 +53,7 @@ impl Factors {
                 [TableMemoryModel::new(k, k), TableMemoryModel::new(k + 2, k)],
                 0,
             ),
-            SpanKind::Blake | SpanKind::BlakeRefit => {
+            SpanKind::Blake | SpanKind::BlakeRefit | SpanKind::BlakeTrapezium => {
                 Self::Blake(Default::default(), Default::default())
             }
         }
@@ -134,7 +134,7 @@ impl SpanModel {
     #[must_use]
     pub fn outputs(&self) -> CoreOutputs {
         CoreOutputs {
-            load_ready: !self.shell.pending,
+            load_ready: self.shell.open(self.stream.clearing()),
             ..self.stream.outputs(self.shell.busy())
         }
     }
@@ -162,7 +162,7 @@ impl SpanModel {
 
     /// One clock edge.
     pub fn clock(&mut self, i: &CoreInputs) {
-        let accept = !self.shell.pending;
+        let accept = self.shell.open(self.stream.clearing());
         let to = |target: usize| {
             let word = i.word_for(target).filter(|_| accept);
             word.map(|(word, data)| (word, data & 0xffff_ffff))
