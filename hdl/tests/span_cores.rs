@@ -35,7 +35,8 @@ fn word(r: &mut StdRng, select: u8) -> u64 {
         }
         (0, 1) => {
             let row = r.random_range(0..30u64);
-            row << 21 | row * COLUMNS
+            let address = row * COLUMNS;
+            row << 21 | address
         }
         (0, 6) => COLUMNS,
         (0, 7) => r.random_range(0..32),

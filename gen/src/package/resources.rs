@@ -111,7 +111,11 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
     };
     let rows: Vec<Measured> = all
         .into_iter()
-        .filter(|m| size == FRAME && device.is_none_or(|d| d.family == m.family))
+        .filter(|m| {
+            core.load_words == Core::usual_load_words(core.order)
+                && size == FRAME
+                && device.is_none_or(|d| d.family == m.family)
+        })
         .collect();
     Resources {
         multipliers: match core.order {

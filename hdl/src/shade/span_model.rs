@@ -13,7 +13,7 @@ use crate::lit::power::PowerTableModel;
 use crate::lit::stream_model::{Fragment, LitStreamInputs, LitStreamModel};
 use crate::lit::swing::SwingModel;
 use crate::lit::table_memory::TableMemoryModel;
-use crate::raster::span_shell::{SpanShellInputs, SpanShellModel};
+use crate::raster::span_shell_model::{SpanShellInputs, SpanShellModel};
 
 /// What the factors of a core see in one clock.
 struct Terms {
