@@ -3,7 +3,7 @@
 //! vertex, each with one side collapsed. In a trapezium both cosines at the ends of a row come from one angle per edge, so
 //! the host turns no normal from row to row. The core is that of `blake`; what differs are the knots at the ends.
 //!
-//! Of the turn between the ends the algebra gives the cosine alone, which has no digits left of a turn below 1e-7 rad;
+//! Of the turn between the ends the algebra gives the cosine alone, which has two digits left of a turn of 1e-7 rad;
 //! there the phase along the span, and with it Blake's curve, is off by 2 LSB, in the method as in the core.
 
 use super::surface::Surface;
