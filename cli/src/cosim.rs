@@ -57,9 +57,9 @@ pub struct CosimArgs {
     /// Frame size [default: the scene's]
     #[arg(long, value_name = "WxH")]
     size: Option<String>,
-    /// Register words that the core takes per clock: 1, 2 or 4
-    #[arg(long, value_name = "W", default_value_t = 1)]
-    load_words: usize,
+    /// Register words that the core takes per clock: 1, 2 or 4 [default: 2 in cores that follow spans, 1 in others]
+    #[arg(long, value_name = "W")]
+    load_words: Option<usize>,
     /// Write every register word, also where the register holds it already
     #[arg(long)]
     all_words: bool,
@@ -186,7 +186,7 @@ fn command(
         format!("'{}'", scene.replace('\'', r"'\''"))
     };
     let size = size.map(|(w, h)| format!(" --size {w}x{h}"));
-    let lanes = (a.load_words > 1).then(|| format!(" --load-words {}", a.load_words));
+    let lanes = a.load_words.map(|words| format!(" --load-words {words}"));
     let all = a.all_words.then_some(" --all-words");
     let depth = a.depth.as_ref().map(|d| format!(" --depth {d}"));
     let by = match by {

@@ -60,9 +60,10 @@ pub struct GenArgs {
     /// Bus wrappers to add; may be repeated, or a list with commas
     #[arg(long, value_parser = Offer(wrappers), value_delimiter = ',', value_name = "BUS")]
     wrapper: Vec<String>,
-    /// Register words that the core takes per clock: 1, 2 or 4
-    #[arg(long, value_name = "W", default_value_t = 1)]
-    load_words: usize,
+    /// Register words that the core takes per clock: 1, 2 or 4 [default: 2 in cores that follow spans, 1 in others, and 1
+    /// behind a bus]
+    #[arg(long, value_name = "W")]
+    load_words: Option<usize>,
     /// Give every register a synchronous reset, active high
     #[arg(long)]
     reset: bool,
@@ -159,6 +160,12 @@ fn target(a: &GenArgs) -> Result<Option<Target<'static>>, Failure> {
     }))
 }
 
+/// The load port that is asked for, and that of a bus where none is.
+fn load_words(a: &GenArgs) -> Option<usize> {
+    let bus = (!a.wrapper.is_empty()).then_some(1);
+    a.load_words.or(bus)
+}
+
 /// A core that draws a scene, with the scene's vectors; and the name of its folder.
 fn of_scene(
     file: &Path,
@@ -176,7 +183,7 @@ fn of_scene(
         Drawing::Lines(_) | Drawing::Core(_) => scene.render.method,
     };
     let stimulus = StimulusOptions {
-        load_words: a.load_words,
+        load_words: load_words(a),
         ..StimulusOptions::default()
     };
     let p = prelude_by(&scene, method, by, size, &stimulus).map_err(failure)?;
@@ -202,7 +209,8 @@ fn sample(
 ) -> Result<Package, Failure> {
     let (width, height) = frame;
     let core = drawing.core_by(by, width, height).map_err(failure)?;
-    let core = core.with_load_words(a.load_words).map_err(Failure::input)?;
+    let words = load_words(a).unwrap_or(core.load_words);
+    let core = core.with_load_words(words).map_err(Failure::input)?;
     let viewport = Viewport { width, height };
     let (count, seed) = SAMPLE;
     let stimulus = sample_stimulus(&core, viewport, count, seed)

@@ -21,7 +21,7 @@ use shadegate_reference::line::{wireframe, LineFilter};
 use shadegate_reference::{depth, shade, Method, Prepared, Scene, ScreenTriangle};
 
 /// Methods that have a core, by catalogue name.
-pub const CORES: [(&str, Order, Method); 12] = [
+pub const CORES: [(&str, Order, Method); 13] = [
     ("gouraud", Order::Linear, Method::Gouraud),
     ("quadratic", Order::Quadratic, Method::Quadratic),
     (
@@ -61,6 +61,11 @@ pub const CORES: [(&str, Order, Method); 12] = [
         "blake-refit",
         Order::Span(SpanKind::BlakeRefit),
         Method::BlakeRefit,
+    ),
+    (
+        "blake-trapezium",
+        Order::Span(SpanKind::BlakeTrapezium),
+        Method::BlakeTrapezium,
     ),
 ];
 
@@ -212,6 +217,7 @@ pub fn method_of(order: Order) -> Method {
         Order::Span(SpanKind::SphericalPower(_)) => Method::SphericalCosN,
         Order::Span(SpanKind::Blake) => Method::Blake,
         Order::Span(SpanKind::BlakeRefit) => Method::BlakeRefit,
+        Order::Span(SpanKind::BlakeTrapezium) => Method::BlakeTrapezium,
         Order::Duff => Method::Duff,
         Order::Textured(_) => Method::Quadratic,
     }

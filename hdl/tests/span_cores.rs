@@ -29,13 +29,23 @@ fn core(kind: SpanKind, wide: bool) -> Core {
 fn word(r: &mut StdRng, select: u8) -> u64 {
     match (select >> 4, select & 15) {
         (0, 0) => {
-            let (row, column) = (r.random_range(0..30u64), r.random_range(0..COLUMNS));
+            let column = r.random_range(0..COLUMNS);
             let pixels = r.random_range(0..=(COLUMNS - column).min(15));
-            pixels << 21 | column << 10 | row
+            pixels << 21 | column << 10 | r.random_range(0..2)
         }
-        (0, 1) => r.random_range(0..32u64) << 21 | r.random_range(0..1200u64),
+        (0, 1) => {
+            let row = r.random_range(0..30u64);
+            let address = row * COLUMNS;
+            row << 21 | address
+        }
+        (0, 6) => COLUMNS,
+        (0, 7) => r.random_range(0..32),
         (0, 2) => r.random_range(0..4096),
-        (0, 4) => (r.random::<u32>() & 0xc003_ffff) as u64 | r.random_range(0..9u64) << 26,
+        (0, 4) => {
+            let colour = r.random::<i32>() >> r.random_range(14..24);
+            let cell = r.random_range(0..4u64) << 30 | r.random_range(0..9u64) << 26;
+            cell | u64::from(colour as u32 & 0x3_ffff)
+        }
         _ => {
             let places = r.random_range(0..32);
             (r.random::<i32>() >> places) as u32 as u64
@@ -65,8 +75,9 @@ fn run(core: Core, seed: u64, clocks: usize) {
         // Tables first, then mostly spans.
         let tables = clock < clocks / 8;
         let select = match r.random_range(0..10) {
+            _ if clock % 1000 == 0 => 6,
             _ if tables => r.random_range(2..6),
-            0..4 => r.random_range(0..2),
+            0..4 => [0, 0, 1, 7, 7][r.random_range(0..5)],
             4..6 => 0x80 | r.random_range(0..2),
             9 => r.random(),
             _ => r.random_range(1..4) << 4 | r.random_range(0..3),

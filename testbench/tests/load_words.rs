@@ -20,7 +20,7 @@ fn run(scene: &Scene, method: Method, engine: Engine, words: usize) -> CosimRepo
         wave: None,
         output: None,
         stimulus: StimulusOptions {
-            load_words: words,
+            load_words: Some(words),
             ..StimulusOptions::default()
         },
         command: "test".into(),

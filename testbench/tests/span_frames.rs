@@ -6,7 +6,7 @@ use shadegate_testbench::cosim::{cosim, CosimOptions, CosimReport};
 use shadegate_testbench::engine::Engine;
 use std::path::Path;
 
-const METHODS: [Method; 8] = [
+const METHODS: [Method; 9] = [
     Method::Slerp,
     Method::SlerpChebyshev,
     Method::SphericalCos2Rom4,
@@ -15,6 +15,7 @@ const METHODS: [Method; 8] = [
     Method::SphericalCosN,
     Method::Blake,
     Method::BlakeRefit,
+    Method::BlakeTrapezium,
 ];
 
 fn load(name: &str) -> Scene {
@@ -97,7 +98,7 @@ fn emitted_verilog_in_other_simulators() {
         Method::Slerp,
         Method::SlerpChebyshev,
         Method::SphericalCos2Rom6,
-        Method::BlakeRefit,
+        Method::BlakeTrapezium,
     ] {
         run(&scene, method, Engine::Icarus, Some((96, 72)));
     }

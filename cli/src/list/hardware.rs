@@ -12,6 +12,7 @@ pub fn cores() -> Section {
         "interpolants",
         "bus",
         "address",
+        "words per clock",
         "longest run",
         "bound, LSB",
     ]);
@@ -24,7 +25,7 @@ pub fn cores() -> Section {
                 order,
                 wide,
                 pixels: 2,
-                load_words: 1,
+                load_words: Core::usual_load_words(order),
             };
             let formats = core.formats();
             let q = |(_, int, frac): &(&str, usize, usize)| format!("Q{int}.{frac}");
@@ -36,6 +37,7 @@ pub fn cores() -> Section {
                     all.join(", "),
                     core.bus_bits().to_string(),
                     core.address_bits().to_string(),
+                    core.load_words.to_string(),
                     run.to_string(),
                     format!("{:.4}", core.error_bound(run)),
                 ],
@@ -45,6 +47,7 @@ pub fn cores() -> Section {
                     "wide": wide,
                     "bus_bits": core.bus_bits(),
                     "address_bits": core.address_bits(),
+                    "load_words": core.load_words,
                     "longest_run": run,
                     "error_bound_lsb": core.error_bound(run),
                     "max_width": MAX_WIDTH,

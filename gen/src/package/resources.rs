@@ -65,14 +65,14 @@ const DUFF: [Measured; 3] = [
     with_multipliers(21, row("spartan-7", 2682, 4948, 45)),
 ];
 const SLERP: [Measured; 3] = [
-    with_multipliers(15, row("spartan-3", 2295, 2409, 88)),
-    with_multipliers(15, row("spartan-6", 1450, 1659, 88)),
-    with_multipliers(11, row("spartan-7", 1379, 1659, 44)),
+    with_multipliers(15, row("spartan-3", 2499, 2420, 88)),
+    with_multipliers(15, row("spartan-6", 1646, 1670, 88)),
+    with_multipliers(11, row("spartan-7", 1588, 1670, 44)),
 ];
 const BLAKE: [Measured; 3] = [
-    with_multipliers(6, row("spartan-3", 1812, 2369, 86)),
-    with_multipliers(6, row("spartan-6", 1163, 1653, 86)),
-    with_multipliers(6, row("spartan-7", 1140, 1653, 43)),
+    with_multipliers(6, row("spartan-3", 2039, 2380, 86)),
+    with_multipliers(6, row("spartan-6", 1346, 1664, 86)),
+    with_multipliers(6, row("spartan-7", 1352, 1664, 43)),
 ];
 const QUADRATIC_DOTS: [Measured; 3] = [
     with_multipliers(7, row("spartan-3", 2710, 3977, 87)),
@@ -111,7 +111,11 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
     };
     let rows: Vec<Measured> = all
         .into_iter()
-        .filter(|m| size == FRAME && device.is_none_or(|d| d.family == m.family))
+        .filter(|m| {
+            core.load_words == Core::usual_load_words(core.order)
+                && size == FRAME
+                && device.is_none_or(|d| d.family == m.family)
+        })
         .collect();
     Resources {
         multipliers: match core.order {

@@ -4,6 +4,7 @@ use super::registers::{Field, Register};
 use shadegate_hdl::lit::angle::{FRACTION_BITS, TURNS_BITS};
 use shadegate_hdl::lit::channel::COLOUR_FRACTION_BITS;
 use shadegate_hdl::lit::loader;
+use shadegate_hdl::raster::span_shell;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::span_core::SpanKind;
 use shadegate_hdl::shade::{COLOUR_INTEGER_BITS, DEPTH_FRACTION_BITS, DEPTH_INTEGER_BITS};
@@ -23,7 +24,7 @@ pub fn about(kind: SpanKind) -> &'static str {
         SpanKind::SphericalPower(_) => {
             "cos and a material's cosⁿ from tables at angles that grow evenly along each span"
         }
-        SpanKind::Blake | SpanKind::BlakeRefit => {
+        SpanKind::Blake | SpanKind::BlakeRefit | SpanKind::BlakeTrapezium => {
             "cosines and their powers in quadratic pieces along each span"
         }
     }
@@ -73,7 +74,7 @@ fn term(kind: SpanKind) -> [(&'static str, &'static str, usize, String); 3] {
                 ),
             ]
         }
-        SpanKind::Blake | SpanKind::BlakeRefit => [
+        SpanKind::Blake | SpanKind::BlakeRefit | SpanKind::BlakeTrapezium => [
             ("value", "factor at the first pixel", 32, cosine()),
             ("change", "its first difference there", 32, cosine()),
             ("bend", "its second difference", 32, cosine()),
@@ -105,7 +106,7 @@ pub fn registers(core: &Core, kind: SpanKind) -> Vec<Register> {
     let place = vec![
         field(31, 21, "pixels"),
         field(20, 10, "first column"),
-        field(9, 0, "row"),
+        field(0, 0, "the span lies one row below the words' last one"),
     ];
     add(
         0,
@@ -117,28 +118,21 @@ pub fn registers(core: &Core, kind: SpanKind) -> Vec<Register> {
         "triangle",
         place,
     );
-    let address = vec![
-        field(
-            25,
-            23,
-            "binary places that the highlight table is stretched by",
-        ),
-        field(22, 21, "material"),
+    let row = vec![
+        field(30, 21, "row"),
         field(
             core.address_bits() - 1,
             0,
-            "address of the first pixel: row * frame width + column",
+            "address of its column 0: row * frame width",
         ),
     ];
-    let meaning = "address and material of the span";
-    add(
-        1, "shell", "first", 26, "fields", meaning, "triangle", address,
-    );
+    let meaning = "row of the span; word 0 may step it";
+    add(1, "shell", "row", 31, "fields", meaning, "triangle", row);
     let code = |word: usize| word as u8;
     let tables = match kind {
         SpanKind::Slerp | SpanKind::Chebyshev => Some(32),
         SpanKind::Spherical(bits) | SpanKind::SphericalPower(bits) => Some(bits),
-        SpanKind::Blake | SpanKind::BlakeRefit => None,
+        SpanKind::Blake | SpanKind::BlakeRefit | SpanKind::BlakeTrapezium => None,
     };
     if tables.is_some() {
         let at = vec![field(11, 0, "place of the next table word")];
@@ -200,6 +194,37 @@ pub fn registers(core: &Core, kind: SpanKind) -> Vec<Register> {
         }
         _ => {}
     }
+    let columns = vec![field(10, 0, "columns of the frame")];
+    let meaning = "frame width in columns; written while the core is idle";
+    add(
+        code(span_shell::COLUMNS),
+        "shell",
+        "columns",
+        11,
+        "fields",
+        meaning,
+        "frame",
+        columns,
+    );
+    let style = vec![
+        field(
+            4,
+            2,
+            "binary places that the highlight table is stretched by",
+        ),
+        field(1, 0, "material"),
+    ];
+    let meaning = "material of the span";
+    add(
+        code(span_shell::STYLE),
+        "shell",
+        "style",
+        5,
+        "fields",
+        meaning,
+        "triangle",
+        style,
+    );
     let colour = vec![
         field(31, 30, "material"),
         field(

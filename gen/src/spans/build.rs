@@ -3,8 +3,9 @@
 use super::surface::Surface;
 use super::tables::Palette;
 use super::words::{signed, Terms};
-use super::{blake, slerp, spherical};
+use super::{blake, slerp, spherical, trapezium};
 use crate::stimulus::{Primitive, Stimulus, StimulusError, StimulusOptions, Triangle};
+use shadegate_hdl::raster::span_shell;
 use shadegate_hdl::shade::span_core::SpanKind;
 use shadegate_hdl::shade::{DEPTH_BIAS, DEPTH_FRACTION_BITS};
 use shadegate_reference::raster::{Span, Viewport, Walk};
@@ -24,6 +25,8 @@ struct Writer<'a> {
     options: &'a StimulusOptions,
     /// Last word written, by select code of a single target.
     held: HashMap<u8, u64>,
+    /// Row of the words in the shell.
+    row: Option<u64>,
     out: Stimulus,
 }
 
@@ -40,6 +43,23 @@ impl Writer<'_> {
         if self.needed(target, data) {
             writes.push((target, data));
         }
+    }
+
+    /// Words of the shell: where a part of a span lies. The row after that of the last span needs no word of its own.
+    fn place(&mut self, (row, column): (u64, u64), pixels: u32, width: u32) -> Vec<(u8, u64)> {
+        let mut writes = vec![];
+        let follows = self.row.is_some_and(|old| old + 1 == row);
+        let steps = follows && self.options.skip_unchanged;
+        if !steps && (self.row != Some(row) || !self.options.skip_unchanged) {
+            let address = row * u64::from(width);
+            writes.push((span_shell::ROW as u8, row << 21 | address));
+        } else {
+            self.out.skipped_unchanged += 1;
+        }
+        self.row = Some(row);
+        let place = u64::from(pixels) << 21 | column << 10 | u64::from(steps);
+        writes.push((span_shell::PLACE as u8, place));
+        writes
     }
 
     /// Words of both terms, equal ones together.
@@ -67,10 +87,14 @@ fn parts(kind: SpanKind, s: &Surface, span: Span) -> Result<Vec<Terms>, String> 
     let (t, c) = (&s.triangle, &s.corners);
     let pixels = (span.end - span.start) as u32;
     let sweeps = match kind {
-        SpanKind::Slerp | SpanKind::Chebyshev => Blended.sweeps(t, c, &(), span),
-        _ => Slerped.sweeps(t, c, &arcs(&c.normal), span),
+        SpanKind::Slerp | SpanKind::Chebyshev => Blended.sweeps(t, c, &(), span).first().copied(),
+        SpanKind::BlakeTrapezium => trapezium::sweeps(s, span),
+        _ => Slerped
+            .sweeps(t, c, &arcs(&c.normal), span)
+            .first()
+            .copied(),
     };
-    let both = sweeps.first();
+    let both = sweeps.as_ref();
     let terms = [both.map(|b| &b.0), both.and_then(|b| b.1.as_ref())];
     Ok(match kind {
         SpanKind::Slerp => vec![slerp::terms(terms, pixels)],
@@ -78,7 +102,9 @@ fn parts(kind: SpanKind, s: &Surface, span: Span) -> Result<Vec<Terms>, String> 
         SpanKind::Spherical(bits) | SpanKind::SphericalPower(bits) => {
             vec![spherical::terms(kind, bits, terms, c.shininess, pixels)?]
         }
-        SpanKind::Blake => blake::terms(Pieces::printed, terms, c.shininess, pixels),
+        SpanKind::Blake | SpanKind::BlakeTrapezium => {
+            blake::terms(Pieces::printed, terms, c.shininess, pixels)
+        }
         SpanKind::BlakeRefit => blake::terms(Pieces::refit, terms, c.shininess, pixels),
     })
 }
@@ -113,6 +139,7 @@ pub fn build(
     let mut w = Writer {
         options,
         held: HashMap::new(),
+        row: None,
         out: Stimulus::default(),
     };
     let mut palette = Palette::default();
@@ -128,6 +155,8 @@ pub fn build(
         drawn.push((index, t, walk, surface));
     }
     w.out.frame = palette.writes(kind);
+    let columns = u64::from(viewport.width);
+    w.out.frame.push((span_shell::COLUMNS as u8, columns));
     for (index, t, walk, surface) in &drawn {
         let (material, shift) = palette.place(surface);
         for span in walk.spans(viewport.width) {
@@ -135,12 +164,10 @@ pub fn build(
             let (parts, [depth, step]) = set_up.map_err(|what| error(*index, t, what))?;
             for part in parts {
                 let column = span.start as u64 + u64::from(part.first);
-                let place = u64::from(part.pixels) << 21 | column << 10 | span.y as u64;
-                let address = span.y as u64 * u64::from(viewport.width) + column;
                 let moved = depth.wrapping_add(step.wrapping_mul(u64::from(part.first)));
-                let mut writes = vec![];
-                w.one(0, place, &mut writes);
-                w.one(1, shift << 23 | material << 21 | address, &mut writes);
+                let at = (span.y as u64, column);
+                let mut writes = w.place(at, part.pixels, viewport.width);
+                w.one(span_shell::STYLE as u8, shift << 2 | material, &mut writes);
                 w.one(DEPTH, moved & 0xffff_ffff, &mut writes);
                 w.one(DEPTH | 1, step, &mut writes);
                 w.terms(&part, &mut writes);

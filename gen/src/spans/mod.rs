@@ -17,6 +17,7 @@ mod slerp;
 mod spherical;
 mod surface;
 mod tables;
+mod trapezium;
 mod words;
 
 pub use build::build;

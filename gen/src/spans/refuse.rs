@@ -50,7 +50,10 @@ pub fn drawable(scene: &Scene, p: &Prepared, order: Order) -> Result<(), Refused
         if let Some(has) = fades {
             return refuse("a light of one colour everywhere", has.to_owned());
         }
-        let blake = matches!(kind, SpanKind::Blake | SpanKind::BlakeRefit);
+        let blake = matches!(
+            kind,
+            SpanKind::Blake | SpanKind::BlakeRefit | SpanKind::BlakeTrapezium
+        );
         if blake && !s.is_constant(k) {
             return refuse(
                 "an orthographic camera (height) and a directional light",

@@ -108,7 +108,7 @@ impl Palette {
                     Curves::highlight(kind, m.exponent).word(i as u32)
                 });
             }
-            SpanKind::Blake | SpanKind::BlakeRefit => {}
+            SpanKind::Blake | SpanKind::BlakeRefit | SpanKind::BlakeTrapezium => {}
         }
         out
     }
@@ -138,7 +138,7 @@ fn check_exponent(kind: SpanKind, n: f64) -> Result<(), String> {
     let (least, most) = match kind {
         SpanKind::Slerp | SpanKind::Chebyshev => (1.0, 1024.0),
         SpanKind::Spherical(_) | SpanKind::SphericalPower(_) => (0.0, 1024.0),
-        SpanKind::Blake | SpanKind::BlakeRefit => (1.0, 10_000.0),
+        SpanKind::Blake | SpanKind::BlakeRefit | SpanKind::BlakeTrapezium => (1.0, 10_000.0),
     };
     if (least..=most).contains(&n) {
         Ok(())

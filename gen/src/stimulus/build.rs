@@ -38,8 +38,8 @@ pub struct StimulusOptions {
     pub skip_unchanged: bool,
     /// Send equal words of several channels in one write.
     pub broadcast: bool,
-    /// Register words per clock of the core: 1, 2 or 4.
-    pub load_words: usize,
+    /// Register words per clock of the core, 1, 2 or 4, where they are not the usual ones.
+    pub load_words: Option<usize>,
     /// What the depth words of a scene are linear in.
     pub depth: DepthFormat,
 }
@@ -49,7 +49,7 @@ impl Default for StimulusOptions {
         Self {
             skip_unchanged: true,
             broadcast: true,
-            load_words: 1,
+            load_words: None,
             depth: DepthFormat::default(),
         }
     }

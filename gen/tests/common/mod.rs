@@ -74,6 +74,13 @@ pub fn make_with(
     reset: bool,
 ) -> Made {
     let core = Core::for_frame(order, width, height).expect("in range");
+    // A bus writes one word at a time.
+    let words = if wrappers.is_empty() {
+        core.load_words
+    } else {
+        1
+    };
+    let core = core.with_load_words(words).expect("a port");
     let viewport = Viewport { width, height };
     let triangles = sample_triangles(order, viewport, 20, 1);
     let stimulus =

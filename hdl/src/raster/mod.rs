@@ -5,6 +5,7 @@ pub mod edge_walk;
 mod model;
 pub mod shell;
 pub mod span_shell;
+pub mod span_shell_model;
 
 /// Bits of a column in walk space, signed: −2048 to 2047.
 pub const COLUMN_BITS: usize = 12;

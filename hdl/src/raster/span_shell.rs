@@ -9,24 +9,35 @@
 //! ```
 //!
 //! The words of the next span may be written while the current one is drawn; when they are complete in time, spans
-//! follow each other without a bubble. A span of no pixels is taken and dropped.
+//! follow each other without a bubble. A span of no pixels is taken and dropped. Complete words that find the pixel
+//! registers empty leave in the next clock whatever the consumer does, so in that clock words are accepted again: a host
+//! whose words take longer than its pixels writes in every clock.
 //!
 //! | word | content |
 //! |---|---|
-//! | 0 | pixels\[31:21\], first column\[20:10\], row\[9:0\] |
-//! | 1 | shift\[25:23\], material\[22:21\], address of the first pixel\[20:0\] |
+//! | 0 | pixels\[31:21\], first column\[20:10\], next row\[0\]: the span lies in the row after that of the words |
+//! | 1 | row\[30:21\], address of its column 0\[20:0\] |
+//! | 6 | columns of the frame\[10:0\]; write it while the core is idle |
+//! | 7 | shift\[4:2\], material\[1:0\] |
 //!
-//! Nothing here can overflow in a frame of at most 2040 columns and 1024 rows: columns, rows and counts have 11 bits,
-//! a row 10 as it is written, and an address stays below columns · rows.
+//! From row to row of a triangle one word says where a span lies: the row and its address step by themselves.
+//!
+//! Nothing here can overflow in a frame of at most 2040 columns and 1024 rows: columns and counts have 11 bits, rows 10,
+//! and an address stays below columns · rows.
 
-use crate::format::{bit_cast_u, mask, U};
-use crate::shade::pace::Pace;
+use crate::format::{bit_cast_u, U};
 use crate::simulate::{Register, Wire};
 use rust_hdl_core::prelude::*;
 use rust_hdl_widgets::dff_setup;
 
-/// Register words of the shell.
-pub const WORDS: usize = 2;
+/// Word of pixels and first column, and of the step to the next row.
+pub const PLACE: usize = 0;
+/// Word of a row and its address.
+pub const ROW: usize = 1;
+/// Word of the frame's columns.
+pub const COLUMNS: usize = 6;
+/// Word of material and stretch.
+pub const STYLE: usize = 7;
 
 /// `A` is the width of a frame address.
 #[derive(LogicBlock, Default)]
@@ -73,12 +84,14 @@ pub struct SpanShell<const A: usize> {
     word_column: Register<U<11>>,
     /// Next span, pixels.
     word_pixels: Register<U<11>>,
-    /// Next span, address of the first pixel.
-    word_address: Register<U<A>>,
+    /// Next span, address of its row.
+    word_base: Register<U<A>>,
     /// Next span, material.
     word_material: Register<U<2>>,
     /// Next span, stretch of the highlight table.
     word_shift: Register<U<3>>,
+    /// Columns of the frame.
+    columns: Register<U<11>>,
     /// The pixel registers stand on a pixel.
     running: Register<Bit>,
     /// Pixels from this one on.
@@ -93,8 +106,14 @@ pub struct SpanShell<const A: usize> {
     span_material: Register<U<2>>,
     /// Stretch of the highlight table for the span.
     span_shift: Register<U<3>>,
+    /// The register words are free, or leave whatever the consumer does.
+    open: Wire<Bit>,
     /// The write is accepted.
     accept: Wire<Bit>,
+    /// First column of the next span, as an address.
+    word_offset: Wire<U<A>>,
+    /// Columns of the frame, as an address.
+    row_step: Wire<U<A>>,
     /// This is the last pixel of the span.
     span_done: Wire<Bit>,
     /// The pixel registers can take a span.
@@ -110,7 +129,7 @@ impl<const A: usize> Logic for SpanShell<A> {
     fn update(&mut self) {
         comment!("name span_shell");
         comment!("title Register words of one span ahead, and the walk along a span.");
-        comment!("equation x = first column + k, address = first address + k, k = 0 to pixels - 1");
+        comment!("equation x = first column + k, address = columns row + x, k = 0 to pixels - 1");
         comment!(
             "source Abbas 2003, section 2.1, one-variate systems; double-buffered and with back pressure."
         );
@@ -124,9 +143,10 @@ impl<const A: usize> Logic for SpanShell<A> {
             word_row,
             word_column,
             word_pixels,
-            word_address,
+            word_base,
             word_material,
             word_shift,
+            columns,
             running,
             left,
             row,
@@ -135,17 +155,28 @@ impl<const A: usize> Logic for SpanShell<A> {
             span_material,
             span_shift
         );
-        self.accept.next = self.write.val() && !self.pending.q.val();
+        self.open.next = !self.pending.q.val() || (!self.running.q.val() && !self.hold.val());
+        self.accept.next = self.write.val() && self.open.val();
+        self.row_step.next = bit_cast_u::<A, 11>(self.columns.q.val());
         if self.accept.val() {
             if self.word.val() == 0u64.into() {
-                self.word_row.d.next = self.data.val().get_bits::<10>(0);
                 self.word_column.d.next = self.data.val().get_bits::<11>(10);
                 self.word_pixels.d.next = self.data.val().get_bits::<11>(21);
+                if self.data.val().get_bit(0) {
+                    self.word_row.d.next = self.word_row.q.val() + 1u64.into();
+                    self.word_base.d.next = self.word_base.q.val() + self.row_step.val();
+                }
             }
             if self.word.val() == 1u64.into() {
-                self.word_address.d.next = self.data.val().get_bits::<A>(0);
-                self.word_material.d.next = self.data.val().get_bits::<2>(21);
-                self.word_shift.d.next = self.data.val().get_bits::<3>(23);
+                self.word_base.d.next = self.data.val().get_bits::<A>(0);
+                self.word_row.d.next = self.data.val().get_bits::<10>(21);
+            }
+            if self.word.val() == 6u64.into() {
+                self.columns.d.next = self.data.val().get_bits::<11>(0);
+            }
+            if self.word.val() == 7u64.into() {
+                self.word_material.d.next = self.data.val().get_bits::<2>(0);
+                self.word_shift.d.next = self.data.val().get_bits::<3>(2);
             }
         }
 
@@ -153,11 +184,12 @@ impl<const A: usize> Logic for SpanShell<A> {
         self.pixel_free.next = !self.running.q.val() || (self.go.val() && self.span_done.val());
         self.taking.next = self.pending.q.val() && !self.hold.val() && self.pixel_free.val();
         self.running_now.next = self.running.q.val() && self.go.val();
+        self.word_offset.next = bit_cast_u::<A, 11>(self.word_column.q.val());
 
-        if self.taking.val() {
-            self.pending.d.next = false;
-        } else if self.start.val() && !self.pending.q.val() {
+        if self.start.val() && self.open.val() {
             self.pending.d.next = true;
+        } else if self.taking.val() {
+            self.pending.d.next = false;
         }
 
         if self.taking.val() {
@@ -165,7 +197,7 @@ impl<const A: usize> Logic for SpanShell<A> {
             self.left.d.next = self.word_pixels.q.val();
             self.row.d.next = self.word_row.q.val();
             self.column.d.next = self.word_column.q.val();
-            self.place.d.next = self.word_address.q.val();
+            self.place.d.next = self.word_base.q.val() + self.word_offset.val();
             self.span_material.d.next = self.word_material.q.val();
             self.span_shift.d.next = self.word_shift.q.val();
         } else if self.running_now.val() {
@@ -175,7 +207,7 @@ impl<const A: usize> Logic for SpanShell<A> {
             self.place.d.next = self.place.q.val() + 1u64.into();
         }
 
-        self.load_ready.next = !self.pending.q.val();
+        self.load_ready.next = self.open.val();
         self.take.next = self.taking.val();
         self.run.next = self.running_now.val();
         self.fragment.next = self.running.q.val();
@@ -191,117 +223,3 @@ impl<const A: usize> Logic for SpanShell<A> {
 crate::clocked!(SpanShell<A>, const A: usize;
     inputs write, word, data, start, hold, go;
     outputs load_ready, take, run, fragment, x, y, address, material, shift, busy);
-
-/// What the shell sees in one clock.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct SpanShellInputs {
-    /// Register write: word and data.
-    pub write: Option<(usize, u64)>,
-    /// The register words are complete.
-    pub start: bool,
-    /// No span may be taken.
-    pub hold: bool,
-    /// The stages behind the pixel registers move.
-    pub go: bool,
-}
-
-/// A span in the shell: its words, or the place of the current pixel.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct SpanPlace {
-    /// Pixels from this one on.
-    pub left: u64,
-    /// Row.
-    pub y: u64,
-    /// Column.
-    pub x: u64,
-    /// Frame address.
-    pub address: u64,
-    /// Material.
-    pub material: u64,
-    /// Stretch of the highlight table.
-    pub shift: u64,
-}
-
-/// Integer model of [`SpanShell`] with frame addresses of `address_bits`.
-#[derive(Clone, Debug)]
-pub struct SpanShellModel {
-    address_bits: usize,
-    words: SpanPlace,
-    /// The register words hold a complete span.
-    pub pending: bool,
-    /// The pixel registers stand on a pixel.
-    pub running: bool,
-    /// The current pixel.
-    pub pixel: SpanPlace,
-    /// Ordinal of its span since power-up, from 1.
-    pub ordinal: u64,
-}
-
-impl SpanShellModel {
-    /// A shell at power-up.
-    #[must_use]
-    pub fn new(address_bits: usize) -> Self {
-        Self {
-            address_bits,
-            words: SpanPlace::default(),
-            pending: false,
-            running: false,
-            pixel: SpanPlace::default(),
-            ordinal: 0,
-        }
-    }
-
-    /// Whether a span is taken, and whether the pixel registers move on, in a clock with these inputs.
-    #[must_use]
-    pub fn controls(&self, i: &SpanShellInputs) -> (bool, bool) {
-        let free = !self.running || (i.go && self.pixel.left == 1);
-        (self.pending && !i.hold && free, self.running && i.go)
-    }
-
-    /// What a clock with these inputs is spent on.
-    #[must_use]
-    pub fn pace(&self, i: &SpanShellInputs) -> Pace {
-        let pixel = Pace::of_pixel(self.running, i.go);
-        pixel.unwrap_or(Pace::of_empty(i.hold, self.pending))
-    }
-
-    /// A span is waiting or being drawn.
-    #[must_use]
-    pub fn busy(&self) -> bool {
-        self.pending || self.running
-    }
-
-    /// One clock edge.
-    pub fn clock(&mut self, i: &SpanShellInputs) {
-        let (take, run) = self.controls(i);
-        let accept = !self.pending;
-        if take {
-            self.pixel = self.words;
-            self.running = self.words.left != 0;
-            self.ordinal += 1;
-            self.pending = false;
-        } else {
-            if run {
-                let p = &mut self.pixel;
-                self.running = p.left != 1;
-                p.left = p.left.wrapping_sub(1) & mask(11);
-                p.x = (p.x + 1) & mask(11);
-                p.address = (p.address + 1) & mask(self.address_bits);
-            }
-            self.pending |= i.start;
-        }
-        match i.write.filter(|_| accept) {
-            Some((0, data)) => {
-                self.words.y = data & mask(10);
-                self.words.x = data >> 10 & mask(11);
-                self.words.left = data >> 21 & mask(11);
-            }
-            Some((1, data)) => {
-                self.words.address = data & mask(self.address_bits);
-                self.words.material = data >> 21 & 3;
-                self.words.shift = data >> 23 & 7;
-            }
-            _ => {}
-        }
-    }
-}

@@ -145,8 +145,8 @@ pub struct Core {
 }
 
 impl Core {
-    /// The core for a frame, with the narrowest formats whose rounding stays within a quarter of an LSB; `None` when
-    /// the frame exceeds the coordinate range.
+    /// The core for a frame, with the narrowest formats whose rounding stays within a quarter of an LSB and the usual
+    /// load port; `None` when the frame exceeds the coordinate range.
     #[must_use]
     pub fn for_frame(order: Order, width: u32, height: u32) -> Option<Self> {
         let run = longest_run(width, height)?;
@@ -156,12 +156,22 @@ impl Core {
             order,
             wide: run > NARROW_RUN,
             pixels: (width * height) as usize,
-            load_words: 1,
+            load_words: Self::usual_load_words(order),
         })
     }
 
     /// Register words per clock that a core may take.
     pub const LOAD_WORDS: [usize; 3] = [1, 2, 4];
+
+    /// Register words per clock that a core takes unless it is told otherwise: span cores two, for with one the words of
+    /// a span of the usual triangle take longer than its pixels, the others one.
+    #[must_use]
+    pub fn usual_load_words(order: Order) -> usize {
+        match order {
+            Order::Span(_) => 2,
+            _ => 1,
+        }
+    }
 
     /// The same core with a load port of `words` register words per clock.
     ///

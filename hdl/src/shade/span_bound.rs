@@ -59,7 +59,7 @@ pub fn error_bound(kind: SpanKind, run: u32) -> f64 {
                 let word = 2.2 / words * (0.5 + (1.0 + m) * power(-15));
                 2.0 * FULL * (word + 0.5 / (words - 1.0) + power(-16))
             }
-            SpanKind::Blake | SpanKind::BlakeRefit => {
+            SpanKind::Blake | SpanKind::BlakeRefit | SpanKind::BlakeTrapezium => {
                 2.0 * FULL * power(-31) * (1.0 + m + m * m / 2.0)
             }
         }

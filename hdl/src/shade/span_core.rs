@@ -22,6 +22,8 @@ pub enum SpanKind {
     Blake,
     /// The same core whose host takes refitted coefficients.
     BlakeRefit,
+    /// The same core whose host finds the ends of spans by way of trapezia, with the printed coefficients.
+    BlakeTrapezium,
 }
 
 /// Spherical core with tables of 4 bits.
@@ -47,7 +49,7 @@ impl SpanKind {
             Self::Slerp => "slerp",
             Self::Chebyshev => "chebyshev",
             Self::Spherical(_) | Self::SphericalPower(_) => "spherical",
-            Self::Blake | Self::BlakeRefit => "blake",
+            Self::Blake | Self::BlakeRefit | Self::BlakeTrapezium => "blake",
         }
     }
 
@@ -62,7 +64,9 @@ impl SpanKind {
         match self {
             Self::Slerp => laned!(core, f, SlerpCore<A>),
             Self::Chebyshev => laned!(core, f, ChebyshevCore<A>),
-            Self::Blake | Self::BlakeRefit => laned!(core, f, BlakeCore<A>),
+            Self::Blake | Self::BlakeRefit | Self::BlakeTrapezium => {
+                laned!(core, f, BlakeCore<A>)
+            }
             Self::Spherical(bits) | Self::SphericalPower(bits) => match bits {
                 0..=4 => laned!(core, f, Spherical4<A>),
                 5 => laned!(core, f, Spherical5<A>),

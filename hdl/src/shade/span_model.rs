@@ -13,7 +13,7 @@ use crate::lit::power::PowerTableModel;
 use crate::lit::stream_model::{Fragment, LitStreamInputs, LitStreamModel};
 use crate::lit::swing::SwingModel;
 use crate::lit::table_memory::TableMemoryModel;
-use crate::raster::span_shell::{SpanShellInputs, SpanShellModel};
+use crate::raster::span_shell_model::{SpanShellInputs, SpanShellModel};
 
 /// What the factors of a core see in one clock.
 struct Terms {
@@ -53,7 +53,7 @@ impl Factors {
                 [TableMemoryModel::new(k, k), TableMemoryModel::new(k + 2, k)],
                 0,
             ),
-            SpanKind::Blake | SpanKind::BlakeRefit => {
+            SpanKind::Blake | SpanKind::BlakeRefit | SpanKind::BlakeTrapezium => {
                 Self::Blake(Default::default(), Default::default())
             }
         }
@@ -134,7 +134,7 @@ impl SpanModel {
     #[must_use]
     pub fn outputs(&self) -> CoreOutputs {
         CoreOutputs {
-            load_ready: !self.shell.pending,
+            load_ready: self.shell.open(self.stream.clearing()),
             ..self.stream.outputs(self.shell.busy())
         }
     }
@@ -162,7 +162,7 @@ impl SpanModel {
 
     /// One clock edge.
     pub fn clock(&mut self, i: &CoreInputs) {
-        let accept = !self.shell.pending;
+        let accept = self.shell.open(self.stream.clearing());
         let to = |target: usize| {
             let word = i.word_for(target).filter(|_| accept);
             word.map(|(word, data)| (word, data & 0xffff_ffff))

@@ -236,7 +236,7 @@ pub fn prelude_by(
         scene_core_for(scene, method, width, height)?
     };
     let core = with_set_up(core, set_up)?;
-    let core = core.with_load_words(stimulus.load_words)?;
+    let core = core.with_load_words(stimulus.load_words.unwrap_or(core.load_words))?;
     refuse(scene)?;
     drawable(scene)?;
     suited(scene, core.order)?;
