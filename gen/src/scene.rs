@@ -117,6 +117,15 @@ pub const LINES: [(&str, Order, LineFilter); 3] = [
     ("cone", Order::Line(Filter::Cone), LineFilter::Cone),
 ];
 
+/// Every core, by catalogue name.
+#[must_use]
+pub fn catalogue() -> Vec<(&'static str, Order)> {
+    let faces = CORES.iter().chain(&BY_SCENE).map(|c| (c.0, c.1));
+    let lines = LINES.iter().map(|l| (l.0, l.1));
+    let engines = ENGINES.iter().map(|e| (e.0, e.1));
+    faces.chain(TEXTURED).chain(lines).chain(engines).collect()
+}
+
 /// The core that draws lines with a filter.
 #[must_use]
 pub fn line_order(filter: LineFilter) -> Order {

@@ -2,7 +2,7 @@
 
 use super::Section;
 use serde_json::json;
-use shadegate_gen::scene::{BY_SCENE, CORES, ENGINES, LINES, TEXTURED};
+use shadegate_gen::scene::catalogue;
 use shadegate_hdl::shade::device::{Core, MAX_HEIGHT, MAX_WIDTH, NARROW_RUN, WIDE_RUN};
 
 /// Every core in its narrow and its wide format.
@@ -16,10 +16,7 @@ pub fn cores() -> Section {
         "longest run",
         "bound, LSB",
     ]);
-    let triangles = CORES.iter().chain(&BY_SCENE).map(|c| (c.0, c.1));
-    let lines = LINES.iter().map(|l| (l.0, l.1));
-    let engines = ENGINES.iter().map(|e| (e.0, e.1));
-    for (name, order) in triangles.chain(TEXTURED).chain(lines).chain(engines) {
+    for (name, order) in catalogue() {
         for (wide, run) in [(false, NARROW_RUN), (true, WIDE_RUN)] {
             let core = Core {
                 order,

@@ -10,7 +10,7 @@ use super::part::Part;
 use crate::netlist::{
     ones, Comparison, Expression, Format, Module, Name, Node, Operator, Reduction, SignalKind,
 };
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A sized literal: binary for a bit, decimal for words, hexadecimal for signed and for long ones.
 pub fn literal(code: u128, format: Format) -> String {
@@ -35,9 +35,10 @@ pub fn slice(name: &str, whole: usize, at: usize, width: usize) -> String {
 /// Prints the expressions of one module.
 pub struct Printer<'a> {
     module: &'a Module,
-    taken: BTreeSet<String>,
-    /// Names that were read, as Verilog spells them.
-    pub reads: BTreeSet<String>,
+    /// Names that parts must not have.
+    pub taken: BTreeSet<String>,
+    /// Names that were read, as Verilog spells them, and which of their bits.
+    pub reads: BTreeMap<String, u128>,
     /// Wires that were needed, each after those it reads.
     pub parts: Vec<Part>,
     /// What is being assigned, for the names of parts.
@@ -50,7 +51,7 @@ impl<'a> Printer<'a> {
         Self {
             module,
             taken,
-            reads: BTreeSet::new(),
+            reads: BTreeMap::new(),
             parts: vec![],
             stem: String::new(),
         }
@@ -104,14 +105,17 @@ impl<'a> Printer<'a> {
     }
 
     pub(super) fn used(&mut self, name: &str, at: usize, width: usize) {
+        let bits = ones(width) << at;
         if let Some(p) = self.parts.iter_mut().find(|p| p.name == name) {
-            p.used |= ones(width) << at;
+            p.used |= bits;
+        } else if let Some(read) = self.reads.get_mut(name) {
+            *read |= bits;
         }
     }
 
     pub(super) fn read(&mut self, name: &Name) -> String {
         let text = name.verilog();
-        self.reads.insert(text.clone());
+        self.reads.entry(text.clone()).or_default();
         text
     }
 
@@ -178,6 +182,7 @@ impl<'a> Printer<'a> {
         if let (Node::Reformat(a), false) = (&e.node, e.format.signed()) {
             if matches!(a.node, Node::Read(_)) && e.width() > 1 {
                 let name = self.named(a);
+                self.used(&name, 0, e.width());
                 return format!("{name}[{}:0]", e.width() - 1);
             }
         }

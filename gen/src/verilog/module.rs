@@ -130,6 +130,7 @@ fn statements(
                 body: &body,
                 by_block: by_block.clone(),
                 reads: &printer.reads,
+                taken: &printer.taken,
             };
             let p = wiring.pieces(&printer.parts, names);
             let mut text = String::new();

@@ -2,9 +2,9 @@
 
 use super::body::PrintedBody;
 use super::expression::literal;
-use super::part::Part;
+use super::part::{name_unused, Part};
 use super::reserved::is_reserved;
-use crate::netlist::{Child, Format, Module, Name, NetlistError, Node, Signal, SignalKind};
+use crate::netlist::{Child, Module, Name, NetlistError, Node, Signal, SignalKind};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
@@ -39,7 +39,9 @@ pub struct Wiring<'a> {
     pub(super) m: &'a Module,
     pub(super) body: &'a PrintedBody,
     pub(super) by_block: BTreeSet<&'a String>,
-    pub(super) reads: &'a BTreeSet<String>,
+    /// Bits that something reads, by name.
+    pub(super) reads: &'a BTreeMap<String, u128>,
+    pub(super) taken: &'a BTreeSet<String>,
 }
 
 impl Wiring<'_> {
@@ -47,7 +49,7 @@ impl Wiring<'_> {
     /// reads it.
     fn output(&self, c: &Child, s: &Signal) -> String {
         let wire = format!("{}_{}", c.name, s.name);
-        if self.reads.contains(&wire) {
+        if self.reads.contains_key(&wire) {
             wire
         } else {
             format!("unused_{wire}")
@@ -116,6 +118,27 @@ impl Wiring<'_> {
         }
     }
 
+    /// Bits that nothing reads of words of which something is read.
+    fn left_over(&self, d: &mut String) {
+        let own = self
+            .m
+            .signals
+            .iter()
+            .filter(|s| matches!(s.kind, SignalKind::Input | SignalKind::Local));
+        let own = own.map(|s| (s.name.clone(), s.format));
+        let registers = self.m.registers.iter().map(|r| (r.name.clone(), r.format));
+        let outputs = self.m.children.iter().flat_map(|c| {
+            let ports = c.module.signals.iter();
+            let ports = ports.filter(|s| s.kind == SignalKind::Output);
+            ports.map(|s| (format!("{}_{}", c.name, s.name), s.format))
+        });
+        for (name, format) in own.chain(registers).chain(outputs) {
+            if let Some(used) = self.reads.get(&name) {
+                name_unused(d, &name, format.width(), *used, self.taken);
+            }
+        }
+    }
+
     /// Everything between ports and behaviour.
     pub fn pieces(&self, parts: &[Part], names: &BTreeMap<String, String>) -> Pieces {
         let mut d = String::new();
@@ -142,25 +165,9 @@ impl Wiring<'_> {
                 &format!("  wire {}{} = {};", p.format.range(), p.name, p.value),
                 &note,
             );
-            for (i, (low, high)) in p.unused().into_iter().enumerate() {
-                let range = Format::Unsigned(high - low + 1).range();
-                let number = if i == 0 {
-                    String::new()
-                } else {
-                    format!("_run{}", i + 1)
-                };
-                let bits = if p.format.width() == 1 {
-                    p.name.clone()
-                } else {
-                    format!("{}[{high}:{low}]", p.name)
-                };
-                line(
-                    &mut d,
-                    &format!("  wire {range}unused_{}{number} = {bits};", p.name),
-                    "Bits that nothing needs.",
-                );
-            }
+            name_unused(&mut d, &p.name, p.format.width(), p.used, self.taken);
         }
+        self.left_over(&mut d);
         let mut i = String::new();
         for c in &self.m.children {
             let mut connections = vec![];

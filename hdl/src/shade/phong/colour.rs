@@ -53,7 +53,7 @@ pub struct PhongColour {
     /// The word of an interval is written.
     write_table: Wire<Bit>,
     /// Power of N.H.
-    power: Quiet<Power>,
+    lobe_power: Quiet<Power>,
     /// Red.
     red_sum: Quiet<Reflect>,
     /// Green.
@@ -88,7 +88,7 @@ impl Default for PhongColour {
             above: Default::default(),
             write_interval: Default::default(),
             write_table: Default::default(),
-            power: Default::default(),
+            lobe_power: Default::default(),
             red_sum: Default::default(),
             green_sum: Default::default(),
             blue_sum: Default::default(),
@@ -134,12 +134,12 @@ impl Logic for PhongColour {
         }
         self.cosine.next = signed_cast_bits::<1, 16, 18>(self.light_4.q.val());
 
-        self.power.clock.next = self.clock.val();
-        self.power.go.next = self.go.val();
-        self.power.place.next = self.place.val();
-        self.power.write.next = self.write_table.val();
-        self.power.write_address.next = self.interval.q.val();
-        self.power.write_data.next = self.data.val();
+        self.lobe_power.clock.next = self.clock.val();
+        self.lobe_power.go.next = self.go.val();
+        self.lobe_power.place.next = self.place.val();
+        self.lobe_power.write.next = self.write_table.val();
+        self.lobe_power.write_address.next = self.interval.q.val();
+        self.lobe_power.write_data.next = self.data.val();
 
         self.red_sum.clock.next = self.clock.val();
         self.red_sum.go.next = self.go.val();
@@ -148,7 +148,7 @@ impl Logic for PhongColour {
         self.red_sum.write_specular.next = self.write.val() && (self.word.val() == 2u64.into());
         self.red_sum.data.next = self.data.val();
         self.red_sum.light.next = self.cosine.val();
-        self.red_sum.power.next = self.power.power.val();
+        self.red_sum.power.next = self.lobe_power.power.val();
 
         self.green_sum.clock.next = self.clock.val();
         self.green_sum.go.next = self.go.val();
@@ -157,7 +157,7 @@ impl Logic for PhongColour {
         self.green_sum.write_specular.next = self.write.val() && (self.word.val() == 5u64.into());
         self.green_sum.data.next = self.data.val();
         self.green_sum.light.next = self.cosine.val();
-        self.green_sum.power.next = self.power.power.val();
+        self.green_sum.power.next = self.lobe_power.power.val();
 
         self.blue_sum.clock.next = self.clock.val();
         self.blue_sum.go.next = self.go.val();
@@ -166,7 +166,7 @@ impl Logic for PhongColour {
         self.blue_sum.write_specular.next = self.write.val() && (self.word.val() == 8u64.into());
         self.blue_sum.data.next = self.data.val();
         self.blue_sum.light.next = self.cosine.val();
-        self.blue_sum.power.next = self.power.power.val();
+        self.blue_sum.power.next = self.lobe_power.power.val();
 
         self.red.next = self.red_sum.level.val();
         self.green.next = self.green_sum.level.val();

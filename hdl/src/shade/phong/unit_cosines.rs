@@ -45,7 +45,7 @@ pub struct UnitCosines {
     /// Scale s of the lobe.
     held_scale: Register<U<3>>,
     /// One over the length of the normal.
-    root: Quiet<InverseRoot>,
+    inverse_root: Quiet<InverseRoot>,
     /// N.L of the unit normal.
     light_cosine: Quiet<Cosine>,
     /// N.H of the unit normal.
@@ -66,23 +66,23 @@ impl Logic for UnitCosines {
         if self.write_scale.val() {
             self.held_scale.d.next = self.scale.val();
         }
-        self.root.clock.next = self.clock.val();
-        self.root.go.next = self.go.val();
-        self.root.square.next = self.square.val();
+        self.inverse_root.clock.next = self.clock.val();
+        self.inverse_root.go.next = self.go.val();
+        self.inverse_root.square.next = self.square.val();
 
         self.light_cosine.clock.next = self.clock.val();
         self.light_cosine.go.next = self.go.val();
         self.light_cosine.dot.next = self.light_dot.val();
-        self.light_cosine.root.next = self.root.root.val();
-        self.light_cosine.once.next = self.root.once.val();
-        self.light_cosine.twice.next = self.root.twice.val();
+        self.light_cosine.root.next = self.inverse_root.root.val();
+        self.light_cosine.once.next = self.inverse_root.once.val();
+        self.light_cosine.twice.next = self.inverse_root.twice.val();
 
         self.half_cosine.clock.next = self.clock.val();
         self.half_cosine.go.next = self.go.val();
         self.half_cosine.dot.next = self.half_dot.val();
-        self.half_cosine.root.next = self.root.root.val();
-        self.half_cosine.once.next = self.root.once.val();
-        self.half_cosine.twice.next = self.root.twice.val();
+        self.half_cosine.root.next = self.inverse_root.root.val();
+        self.half_cosine.once.next = self.inverse_root.once.val();
+        self.half_cosine.twice.next = self.inverse_root.twice.val();
 
         self.arguments.clock.next = self.clock.val();
         self.arguments.go.next = self.go.val();
