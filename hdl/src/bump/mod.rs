@@ -109,7 +109,7 @@ pub const ADDRESS_INTEGER_BITS: usize = 9;
 /// Largest exponent that a core draws.
 pub const MAX_EXPONENT: f64 = 144.0;
 /// The exponent for which a core states its error.
-pub const STATED_EXPONENT: f64 = 32.0;
+pub const STATED_EXPONENT: f64 = 24.0;
 
 /// The select codes of a core, each with a word number of 0.
 pub mod select {

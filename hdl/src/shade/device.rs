@@ -365,7 +365,7 @@ impl Core {
                 let lobe = STEEPEST * 2f64.powi(-(PLACE_FRACTION_BITS as i32));
                 255.0 * unit * (light + lobe) + ERROR_LSB
             }
-            // Exponents up to 32, gradients up to 1 that change evenly between the samples.
+            // Exponents up to 24, gradients up to 1 that change evenly between the samples.
             Order::Bump(bend) => {
                 255.0 * bend.cosine_error(unit) * (1.0 + bump::STATED_EXPONENT) + ERROR_LSB
             }
