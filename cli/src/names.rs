@@ -148,7 +148,8 @@ pub fn set_ups() -> Vec<&'static str> {
 
 /// Refuses methods that only software draws.
 pub fn with_core(method: Method) -> Result<Method, Failure> {
-    match order_of(method) {
+    let by_scene = BY_SCENE.iter().find(|c| c.2 == method).map(|c| c.1);
+    match order_of(method).or(by_scene) {
         Some(_) => Ok(method),
         None => Err(Failure::input(format!(
             "method '{method}' has no core; cores: {}",
@@ -270,17 +271,21 @@ fn shaded(
 ) -> Result<Method, Failure> {
     let own = core_name.filter(|c| !is_textured(c));
     let method = hardware_method(method_name, own, scene.render.method)?;
-    let (Some(named), Some(order)) = (core_name, order_of(method)) else {
+    let Some(named) = core_name else {
         return Ok(method);
     };
+    let order = order_of(method);
     // The method of a set-up goes by the name of its core.
     let takes = order_for(scene, method).map_err(Failure::input)?;
     let takes = takes
-        .filter(|t| *t != order)
+        .filter(|t| Some(*t) != order)
         .map(|t| Drawing::Core(t).name());
     match takes {
         Some(takes) if takes != named => Err(Failure::input(format!(
             "core '{named}' does not draw this scene; the one for its textures, lights and materials is '{takes}'"
+        ))),
+        None if order.is_none() => Err(Failure::input(format!(
+            "core '{named}' does not draw this scene, which has no bump maps"
         ))),
         None if by_scene(named).is_some() => Err(Failure::input(format!(
             "core '{named}' does not draw this scene; the one for its textures, lights and materials is '{}'",

@@ -58,7 +58,8 @@ fn scenes_beyond_cores() {
         ),
         (
             "bump = \"bumps\"",
-            "has a bump map, which no core draws; expected materials without bump, or the command render",
+            "has a bump map, which no core of this method draws; expected method phong, materials without bump, or the \
+             command render",
         ),
     ] {
         f.write(

@@ -1,10 +1,12 @@
 //! A prepared scene as the triangles of a core: knots of its method, depths in words.
 
+mod bumped;
 mod depths;
 mod reflected;
 mod set_up;
 mod textured;
 
+pub use bumped::{fitting, has_bumps};
 pub use depths::{DepthFormat, UnknownDepthFormat};
 pub use reflected::{suited, Unsuited};
 pub use set_up::{SetUp, ENGINES};
@@ -12,6 +14,7 @@ pub use textured::{is_textured, texturing};
 
 use crate::spans;
 use crate::stimulus::{Line, Material, Triangle};
+use shadegate_hdl::bump::Bend;
 use shadegate_hdl::light::Glint;
 use shadegate_hdl::line::Filter;
 use shadegate_hdl::shade::model::Order;
@@ -93,7 +96,7 @@ const fn usual(mapping: Mapping) -> Order {
 }
 
 /// Cores that a method takes where the lights and materials of a scene ask for them.
-pub const BY_SCENE: [(&str, Order, Method); 2] = [
+pub const BY_SCENE: [(&str, Order, Method); 4] = [
     (
         "quadratic-dots-kappa",
         Order::Glint(Glint::Kappa),
@@ -103,6 +106,12 @@ pub const BY_SCENE: [(&str, Order, Method); 2] = [
         "quadratic-dots-spot",
         Order::Glint(Glint::Spot),
         Method::QuadraticDots,
+    ),
+    ("bump-newton", Order::Bump(Bend::Newton), Method::Phong),
+    (
+        "bump-reflection",
+        Order::Bump(Bend::Reflection),
+        Method::Phong,
     ),
 ];
 
@@ -153,8 +162,8 @@ pub fn lines(p: &Prepared) -> Vec<Line> {
 /// What a scene has that no core draws.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "{file}: material '{material}' has a {what}, which no core draws; expected materials without bump, or the command \
-     render"
+    "{file}: material '{material}' has a {what}, which no core of this method draws; expected method phong, materials \
+     without bump, or the command render"
 )]
 pub struct Undrawable {
     /// The scene file.
@@ -165,11 +174,14 @@ pub struct Undrawable {
     pub what: &'static str,
 }
 
-/// Whether cores can draw a scene. What they draw of textures is in [`texturing`].
+/// Whether a core can draw the bumps of a scene. What cores draw of textures is in [`texturing`], of bumps in [`suited`].
 ///
 /// # Errors
 /// The first material of an object that they cannot draw.
-pub fn drawable(scene: &Scene) -> Result<(), Undrawable> {
+pub fn drawable(scene: &Scene, order: Order) -> Result<(), Undrawable> {
+    if let Order::Bump(_) = order {
+        return Ok(());
+    }
     let used = scene
         .objects
         .iter()
@@ -197,12 +209,15 @@ pub fn order_of(method: Method) -> Option<Order> {
         .map(|(_, order)| order)
 }
 
-/// The core of a method for a scene: what its textures, or else its lights and materials, ask for. None where the method has
+/// The core of a method for a scene: what its bumps, its textures, or else its lights and materials, ask for. None where the method has
 /// no core.
 ///
 /// # Errors
 /// Textures that no core draws.
 pub fn order_for(scene: &Scene, method: Method) -> Result<Option<Order>, Unsuited> {
+    if let Some(order) = bumped::order_for(scene, method) {
+        return Ok(Some(order));
+    }
     let lit = reflected::order_for(scene, method);
     lit.map(|order| textured::order_for(scene, order))
         .transpose()
@@ -229,6 +244,7 @@ pub fn method_of(order: Order) -> Method {
         Order::Span(SpanKind::BlakeTrapezium) => Method::BlakeTrapezium,
         Order::Duff => Method::Duff,
         Order::Textured(_) => Method::Quadratic,
+        Order::Bump(_) => Method::Phong,
     }
 }
 
@@ -245,6 +261,8 @@ fn knots(p: &Prepared, index: usize, method: Method) -> (Vec<[f64; 3]>, Option<M
             (knots, Some(material))
         }
         Order::Line(_) => (vec![], None),
+        // Their knots are vectors: see `bumped::triangles`.
+        Order::Bump(_) => (vec![], None),
         // Their knots are the rows of a surface, made per triangle of the scene: see `triangles_of`.
         Order::Span(_) => (vec![], None),
     }
@@ -270,15 +288,19 @@ pub fn triangles_of(p: &Prepared, method: Method) -> Vec<Triangle> {
             knots,
             material,
             covering: None,
+            relief: None,
             label: format!("object {}, face {}", t.object, t.face),
         }
     };
     p.triangles.iter().enumerate().map(one).collect()
 }
 
-/// The same for a core, which may be a textured one: then with the pictures of the materials.
+/// The same for a core, which may be a textured one, then with the pictures of the materials, or a bump core.
 #[must_use]
 pub fn triangles_for(p: &Prepared, method: Method, order: Order) -> Vec<Triangle> {
+    if let Order::Bump(_) = order {
+        return bumped::triangles(p);
+    }
     let mut all = triangles_of(p, method);
     if let Order::Textured(t) = order {
         textured::cover(p, t.mapping, &mut all);

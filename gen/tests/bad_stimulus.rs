@@ -23,6 +23,7 @@ fn good() -> Triangle {
         knots: vec![[10.0; 3]; 6],
         material: None,
         covering: None,
+        relief: None,
         label: "object 2, face 7".into(),
     }
 }

@@ -84,6 +84,7 @@ fn triangle(corners: [(i32, i32); 3], colours: [f64; 6]) -> Triangle {
         knots: colours.map(|c| [c, 255.0 - c, c / 2.0]).to_vec(),
         material: None,
         covering: None,
+        relief: None,
         label: String::new(),
     }
 }

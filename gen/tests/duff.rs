@@ -97,6 +97,7 @@ impl Case {
                 cone: None,
             }),
             covering: None,
+            relief: None,
             label: format!("case {i}"),
         };
         Self {

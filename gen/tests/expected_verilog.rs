@@ -3,6 +3,7 @@
 
 use shadegate_gen::package::rtl;
 use shadegate_gen::scene::TEXTURED;
+use shadegate_hdl::bump::Bend;
 use shadegate_hdl::light::Glint;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
@@ -24,6 +25,11 @@ fn cores_of_triangles() {
 #[test]
 fn textured_cores() {
     expected(&TEXTURED.map(|t| t.1));
+}
+
+#[test]
+fn bump_cores() {
+    expected(&[Order::Bump(Bend::Newton), Order::Bump(Bend::Reflection)]);
 }
 
 #[test]

@@ -139,6 +139,7 @@ fn triangle(r: &mut StdRng, size: (u32, u32), i: usize) -> Triangle {
         knots: knots(r, i % 4, &m),
         material: Some(m),
         covering: None,
+        relief: None,
         label: format!("case {i}"),
     }
 }

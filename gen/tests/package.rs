@@ -6,7 +6,7 @@ mod common;
 use common::{make, need, run, silent, Made};
 use sha2::{Digest, Sha256};
 use shadegate_gen::package::{registers, resources, Register};
-use shadegate_gen::scene::TEXTURED;
+use shadegate_gen::scene::{BY_SCENE, TEXTURED};
 use shadegate_gen::stimulus::{build, sample_triangles, StimulusOptions};
 use shadegate_gen::wrapper::Wrapper;
 use shadegate_hdl::light::Glint;
@@ -196,7 +196,9 @@ fn the_register_map_of_textured_cores() {
         broadcast: false,
         ..Default::default()
     };
-    for (name, order) in TEXTURED {
+    let bumps = BY_SCENE.iter().filter(|c| matches!(c.1, Order::Bump(_)));
+    let bumps = bumps.map(|c| (c.0, c.1));
+    for (name, order) in TEXTURED.into_iter().chain(bumps) {
         let core = Core::for_frame(order, 320, 240).expect("in range");
         let triangles = sample_triangles(order, viewport, 40, 3);
         let stimulus = build(&core, &triangles, viewport, &options).expect("in range");

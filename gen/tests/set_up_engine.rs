@@ -308,6 +308,7 @@ fn large(knot: f64) -> Triangle {
         knots: vec![[knot, 255.0 - knot, 128.0]; 6],
         material: None,
         covering: None,
+        relief: None,
         label: "large".to_owned(),
     }
 }

@@ -158,6 +158,7 @@ fn wide(count: usize, exponent: f64, seed: u64) -> Vec<Triangle> {
             knots: sample(normals, colours, exponent),
             material: None,
             covering: None,
+            relief: None,
             label: format!("wide {i}"),
         }
     };

@@ -7,7 +7,7 @@ use rand::{Rng, SeedableRng};
 use shadegate_hdl::light::Glint;
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::raster::Viewport;
-use support::{check_done, random_triangles, taken, Machine, Pixel, TEXTURED};
+use support::{check_done, random_triangles, taken, Machine, Pixel, BUMPS, TEXTURED};
 
 const SIZE: Viewport = Viewport {
     width: 64,
@@ -83,6 +83,9 @@ fn textured_cores_under_any_pattern() {
 
 #[test]
 fn cores_without_tables_under_any_pattern() {
+    for (order, seed) in BUMPS.into_iter().zip(20..) {
+        any_pattern(order, seed);
+    }
     any_pattern(Order::Glint(Glint::Kappa), 18);
     any_pattern(Order::Glint(Glint::Spot), 19);
 }

@@ -27,9 +27,9 @@ fn value(code: i64, bits: u32) -> f64 {
 #[test]
 fn factors_of_every_gradient() {
     let mut worst = [0.0f64; 3];
-    for v in (-32_768..32_768i64).step_by(4096).chain([0, 1, 32_767]) {
-        for u in -32_768..32_768i64 {
-            let g2 = value(u, 14).powi(2) + value(v, 14).powi(2);
+    for v in (-131_072..131_072i64).step_by(32_768).chain([1, 131_071]) {
+        for u in -131_072..131_072i64 {
+            let g2 = value(u, 16).powi(2) + value(v, 16).powi(2);
             let step = 1.0 - g2.min(2.0) / 2.0;
             worst[0] = worst[0].max((value(newton(u, v), 16) - step).abs());
             // In the surface from g = 2 on.
@@ -70,7 +70,7 @@ fn cosines_of_random_bumps() {
     let mut worst = 0.0f64;
     for _ in 0..CLOCKS {
         let light = unit(&mut r).map(|x| code(x, 16));
-        let slope = [0; 2].map(|_| r.random_range(-32_768..32_768i64));
+        let slope = [0; 2].map(|_| r.random_range(-131_072..131_072i64));
         let (across, along) = if r.random() {
             let k = newton(slope[0], slope[1]);
             (k, k)
@@ -84,7 +84,7 @@ fn cosines_of_random_bumps() {
             light,
         };
         let slant: f64 = (0..2)
-            .map(|i| value(slope[i], 14) * value(light[i], 16))
+            .map(|i| value(slope[i], 16) * value(light[i], 16))
             .sum();
         let want = value(along, 16) * value(light[2], 16) - value(across, 16) * slant;
         worst = worst.max((value(dot(&b), 16) - want).abs());
@@ -102,7 +102,7 @@ fn units_in_a_row_against_the_software() {
         let light = unit(&mut r);
         let (g, turn) = (r.random_range(0.0..1.3f64), r.random_range(0.0..6.3f64));
         let slope = [g * turn.cos(), g * turn.sin()];
-        let codes = slope.map(|s| code(s, 14));
+        let codes = slope.map(|s| code(s, 16));
         let k = newton(codes[0], codes[1]);
         let ways = [(k, k), reflection(codes[0], codes[1])];
         let normals = [
@@ -131,12 +131,12 @@ fn the_blend_is_bilinear() {
     let mut r = StdRng::seed_from_u64(83);
     let mut worst = 0.0f64;
     for _ in 0..CLOCKS {
-        let samples = [0; 4].map(|_| r.random::<u32>());
-        let (u, v) = (r.random_range(0..1u64 << 14), r.random_range(0..1u64 << 14));
+        let samples = [0; 4].map(|_| r.random_range(0..1u64 << 36));
+        let (u, v) = (r.random_range(0..1u64 << 18), r.random_range(0..1u64 << 18));
         let got = blend(samples, u, v);
-        let (fu, fv) = ((u & 255) as f64 / 256.0, (v & 255) as f64 / 256.0);
-        for (part, got) in [16, 0].into_iter().zip(got) {
-            let [a, b, c, d] = samples.map(|s| f64::from((s >> part) as u16 as i16));
+        let (fu, fv) = ((u & 4095) as f64 / 4096.0, (v & 4095) as f64 / 4096.0);
+        for (part, got) in [18, 0].into_iter().zip(got) {
+            let [a, b, c, d] = samples.map(|s| ((s >> part << 46) as i64 >> 46) as f64);
             let want = (1.0 - fv) * ((1.0 - fu) * a + fu * b) + fv * ((1.0 - fu) * c + fu * d);
             worst = worst.max((got as f64 - want).abs());
         }
@@ -164,8 +164,8 @@ impl<T: Clone> Line<T> {
 
 fn slope(r: &mut StdRng) -> i64 {
     match r.random_range(0..6) {
-        0 => [-32_768, -1, 0, 1, 32_767, 23_170][r.random_range(0..6)],
-        _ => r.random_range(-32_768..32_768),
+        0 => [-131_072, -1, 0, 1, 131_071, 92_682][r.random_range(0..6)],
+        _ => r.random_range(-131_072..131_072),
     }
 }
 
@@ -251,14 +251,14 @@ fn gradients_clock_by_clock() {
     let mut rest = Line::new(fetch::STAGES - 1);
     for clock in 0..CLOCKS {
         let (go, write) = (r.random_ratio(3, 4), r.random_ratio(1, 4));
-        let (u, v) = (r.random_range(0..1u64 << 14), r.random_range(0..1u64 << 14));
-        let (address, data) = (r.random_range(0..1u64 << 12), r.random::<u32>());
+        let (u, v) = (r.random_range(0..1u64 << 18), r.random_range(0..1u64 << 18));
+        let (address, data) = (r.random_range(0..1u64 << 12), r.random_range(0..1u64 << 36));
         s.design.go.next = go;
         s.design.u.next = U::new(u);
         s.design.v.next = U::new(v);
         s.design.write.next = write;
         s.design.write_address.next = U::new(address);
-        s.design.write_data.next = U::new(u64::from(data));
+        s.design.write_data.next = U::new(data);
         s.clock();
         if go {
             if let Some((u, v)) = first {

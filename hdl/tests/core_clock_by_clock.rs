@@ -3,6 +3,7 @@
 
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
+use shadegate_hdl::bump::Bend;
 use shadegate_hdl::light::Glint;
 use shadegate_hdl::shade::device::{Core, CoreSimulator};
 use shadegate_hdl::shade::lanes::{Lane, MAX_LANES};
@@ -156,6 +157,14 @@ fn wide_textured_cores() {
         36,
         CLOCKS / 4,
     );
+}
+
+#[test]
+fn bump_cores() {
+    run(core(Order::Bump(Bend::Newton), false), 51, CLOCKS / 32);
+    run(core(Order::Bump(Bend::Reflection), false), 52, CLOCKS / 32);
+    run(core(Order::Bump(Bend::Newton), true), 53, CLOCKS / 32);
+    run(core(Order::Bump(Bend::Reflection), true), 54, CLOCKS / 32);
 }
 
 #[test]

@@ -11,7 +11,7 @@ use shadegate_hdl::shade::lanes::Lane;
 use shadegate_hdl::shade::model::{CoreInputs, CoreOutputs, Order};
 use shadegate_hdl::shade::span_core::SpanKind;
 use shadegate_reference::raster::Viewport;
-use support::{check_done, random_triangles, taken, Machine, Triangle, TEXTURED};
+use support::{check_done, random_triangles, taken, Machine, Triangle, BUMPS, TEXTURED};
 
 const SIZE: Viewport = Viewport {
     width: 64,
@@ -62,6 +62,9 @@ fn no_bubbles_in_or_between_triangles() {
     no_bubbles(Order::Duff, 6);
     for (mapping, seed) in TEXTURED.into_iter().zip(7..) {
         no_bubbles(mapping, seed);
+    }
+    for (order, seed) in BUMPS.into_iter().zip(12..) {
+        no_bubbles(order, seed);
     }
     no_bubbles(Order::Glint(Glint::Kappa), 10);
     no_bubbles(Order::Glint(Glint::Spot), 11);
@@ -140,6 +143,8 @@ fn the_first_pixel_comes_with_the_stated_latency() {
         TEXTURED[0],
         TEXTURED[1],
         TEXTURED[2],
+        BUMPS[0],
+        BUMPS[1],
         Order::Glint(Glint::Kappa),
         Order::Glint(Glint::Spot),
     ] {

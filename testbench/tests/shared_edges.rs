@@ -200,6 +200,7 @@ fn a_sample_through_cores_in_every_engine() {
                 knots: vec![[100.0; 3]; 3],
                 material: None,
                 covering: None,
+                relief: None,
                 label: format!("patch {patches}"),
             });
             patch_of.push(patches);

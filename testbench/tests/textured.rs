@@ -248,6 +248,7 @@ fn adversary(d: &mut Draw, mapping: Mapping, view: Viewport, i: u64) -> Triangle
             nearest: i % 4 == 3,
             address,
         }),
+        relief: None,
         label: format!("adversary {i}"),
     }
 }

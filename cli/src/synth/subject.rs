@@ -6,7 +6,7 @@ use crate::names::{check_names, drawing, drawing_of, set_up, Drawing};
 use crate::outcome::Failure;
 use serde_json::{json, Value};
 use shadegate_gen::package::{rtl, PackageFile};
-use shadegate_gen::scene::{drawable, order_for, order_of, suited};
+use shadegate_gen::scene::{drawable, order_for, suited};
 use shadegate_gen::verilog::VerilogFile;
 use shadegate_hdl::shade::model::Order;
 use shadegate_reference::scene;
@@ -37,14 +37,11 @@ pub fn subject(a: &SynthArgs, size: Option<(u32, u32)>) -> Result<Subject, Failu
             check_names(a.method.as_deref(), None)?;
             let mut scene = scene::load(file).map_err(Failure::input)?;
             let mut drawing = drawing_of(a.method.as_deref(), None, &mut scene)?;
-            drawable(&scene).map_err(Failure::input)?;
             if let Drawing::Shaded(method) = drawing {
-                if let Some(order) = order_of(method) {
+                if let Some(order) = order_for(&scene, method).map_err(Failure::input)? {
+                    drawable(&scene, order).map_err(Failure::input)?;
                     suited(&scene, order).map_err(Failure::input)?;
-                    let order = order_for(&scene, method)
-                        .map_err(Failure::input)?
-                        .unwrap_or(order);
-                    if matches!(order, Order::Glint(_) | Order::Textured(_)) {
+                    if matches!(order, Order::Glint(_) | Order::Textured(_) | Order::Bump(_)) {
                         drawing = Drawing::Core(order);
                     }
                 }

@@ -40,6 +40,7 @@ fn triangle(order: Order, (width, height): (u32, u32)) -> Triangle {
         knots: cosines(order, knots),
         material: material(order),
         covering: None,
+        relief: None,
         label: "example".to_owned(),
     }
 }

@@ -1,5 +1,6 @@
 //! The register map of a core as data: for the manifest, the README and whoever writes a driver.
 
+mod bump;
 mod material;
 mod texture;
 
@@ -28,7 +29,7 @@ pub struct Register {
     /// Select code that addresses this word alone: channel mask in bits 7 to 4, word number in bits 3 to 0.
     pub select: u8,
     /// `shell` (the walk and the weights of a line core), `depth`, and `red`, `green`, `blue`, or `light`, `lobe`, `cone`,
-    /// `half`, `square`, `skips`, `material`, or `u`, `v`, `w`, `texture`.
+    /// `half`, `square`, `skips`, `material`, or `u`, `v`, `w`, `texture`, or `light u` to `half n`.
     pub target: &'static str,
     /// Word number.
     pub word: u8,
@@ -81,6 +82,7 @@ pub fn registers(core: &Core) -> Vec<Register> {
     match core.order {
         Order::Line(filter) => return line::registers(filter, core.address_bits()),
         Order::Textured(t) => return texture::registers(core, t),
+        Order::Bump(_) => return bump::registers(core),
         Order::Span(kind) => return super::span_registers::registers(core, kind),
         Order::QuadraticEngine => return super::engine_registers::registers(),
         _ => {}
@@ -89,7 +91,7 @@ pub fn registers(core: &Core) -> Vec<Register> {
     let quadric = &QUADRIC[..];
     let plane = &PLANE[..];
     let colours = match core.order {
-        Order::Linear | Order::Line(_) | Order::Span(_) | Order::Textured(_) => {
+        Order::Linear | Order::Line(_) | Order::Span(_) | Order::Textured(_) | Order::Bump(_) => {
             &[("red", 1), ("green", 2), ("blue", 4)].map(|c| (c, plane))[..]
         }
         Order::Quadratic | Order::QuadraticEngine => {

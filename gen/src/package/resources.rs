@@ -6,6 +6,7 @@
 use super::line;
 use serde::Serialize;
 use shadegate_constraints::Device;
+use shadegate_hdl::bump::Bend;
 use shadegate_hdl::light::Glint;
 use shadegate_hdl::line::Filter;
 use shadegate_hdl::shade::device::Core;
@@ -108,6 +109,7 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
         Order::Span(SpanKind::Blake) => BLAKE.to_vec(),
         Order::Span(_) => vec![],
         Order::Textured(_) => vec![],
+        Order::Bump(_) => vec![],
     };
     let rows: Vec<Measured> = all
         .into_iter()
@@ -128,6 +130,9 @@ pub fn resources(core: &Core, size: (u32, u32), device: Option<&Device>) -> Reso
             // Three per channel for the mean, one for the product; two for the reciprocal, two after it.
             Order::Textured(t) if t.mapping == Mapping::Perspective => 16,
             Order::Textured(_) => 12,
+            // Six of the gradient, two or three of its factors, eight of the cosines, seven of the reflection model.
+            Order::Bump(Bend::Newton) => 23,
+            Order::Bump(Bend::Reflection) => 24,
             // Six of the channels, two of the highlight; one of the spot and two of what it scales.
             Order::Glint(Glint::Kappa) => 8,
             Order::Glint(Glint::Spot) => 11,

@@ -1,6 +1,6 @@
 //! Scenes for cores that shade per pixel: which of them they draw, and the cosines at the knots of a triangle.
 
-use super::order_of;
+use super::{bumped, order_of};
 use crate::stimulus::{greatest_exponent, Cone, Lobe, Material};
 use glam::DVec3;
 use shadegate_hdl::light::{Glint, DEGREES, MAX_SCALE};
@@ -50,6 +50,10 @@ pub fn suited(scene: &Scene, order: Order) -> Result<(), Unsuited> {
         Order::QuadraticDots => "quadratic-dots",
         Order::Duff => "duff",
         Order::Glint(glint) => glint.name(),
+        Order::Bump(bend) => {
+            bumped::suited(scene, bend)?;
+            bend.name()
+        }
     };
     let spot = order == Order::Glint(Glint::Spot);
     let greatest = greatest_exponent(order);
@@ -68,7 +72,7 @@ pub fn suited(scene: &Scene, order: Order) -> Result<(), Unsuited> {
         );
     }
     let far = matches!(scene.camera.projection, Projection::Orthographic { .. });
-    if order == Order::Duff && !far {
+    if matches!(order, Order::Duff | Order::Bump(_)) && !far {
         return refuse(
             "the camera is near".to_owned(),
             "an orthographic camera (height)",
@@ -130,6 +134,7 @@ pub fn suited(scene: &Scene, order: Order) -> Result<(), Unsuited> {
             let what = format!("material '{name}' has a shininess of {}", m.shininess);
             let expected = match order {
                 Order::Duff => "1 to 600",
+                Order::Bump(_) => "1 to 144",
                 _ => "1 to 2048",
             };
             return refuse(what, expected);
@@ -160,7 +165,7 @@ pub(super) fn order_for(scene: &Scene, method: Method) -> Option<Order> {
 }
 
 /// Whether a material has a highlight.
-fn shines(m: &scene::Material) -> bool {
+pub(super) fn shines(m: &scene::Material) -> bool {
     m.brdf != Brdf::Lambert && m.specular.max_element() > 0.0
 }
 

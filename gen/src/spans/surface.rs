@@ -47,6 +47,7 @@ pub fn triangles(p: &Prepared) -> Vec<Triangle> {
             knots,
             material: None,
             covering: None,
+            relief: None,
             label: format!("object {}, face {}", t.object, t.face),
         }
     };

@@ -1,5 +1,6 @@
 //! Register writes per triangle, and what need not be written.
 
+use super::bump::Relief;
 use super::material::Material;
 use super::picture::Pictures;
 use super::raw::{raw_words, FRAME_ROWS};
@@ -21,12 +22,15 @@ pub struct Triangle {
     pub depth: [f64; 3],
     /// RGB knots in LSB: three for the Gouraud core, six (vertices, then mid-edges 01, 02, 12) for the quadratic core.
     /// For the quadratic-dots cores six of N·L, N·H and the cosine from the axis of a spot; for the Duff core six of N·L, N·H and |N|² of normals that are not
-    /// normalised; for span cores the rows of a [`crate::spans::Surface`].
+    /// normalised; for the bump cores six of the light and six
+    /// of the half-way vector along both tangents and the normal; for span cores the rows of a [`crate::spans::Surface`].
     pub knots: Vec<[f64; 3]>,
     /// What cores take that shade per pixel, and others ignore.
     pub material: Option<Material>,
     /// The picture that multiplies its colour, for textured cores; others ignore it.
     pub covering: Option<Covering>,
+    /// The map that bends its normals, for bump cores; others ignore it.
+    pub relief: Option<Relief>,
     /// Where it comes from, for messages.
     pub label: String,
 }
@@ -229,6 +233,7 @@ fn channel_words(
         }
         Order::QuadraticDots => w.dots(core, t, &frame, writes)?,
         Order::Duff => w.duff(core, t, &frame, writes)?,
+        Order::Bump(_) => w.bump(core, t, &frame, writes)?,
         Order::Glint(glint) => w.glint(core, glint, t, &frame, writes)?,
         // Corners and knots instead of words: see `build`.
         Order::QuadraticEngine => {}

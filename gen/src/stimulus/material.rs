@@ -26,6 +26,7 @@ const BRIGHTEST: f64 = 2047.0;
 pub fn greatest_exponent(order: Order) -> f64 {
     match order {
         Order::Duff => unit_cosines::MAX_EXPONENT,
+        Order::Bump(_) => shadegate_hdl::bump::MAX_EXPONENT,
         _ => MAX_EXPONENT,
     }
 }
@@ -126,7 +127,8 @@ impl Writer<'_> {
         }
         let scale = m.scale(greatest_exponent(order))?;
         let scale_word = MATERIAL | SCALE_WORD as u8;
-        if order == Order::Duff && m.shines() && self.needed(scale_word, u64::from(scale)) {
+        let scaled = matches!(order, Order::Duff | Order::Bump(_));
+        if scaled && m.shines() && self.needed(scale_word, u64::from(scale)) {
             words.push((scale_word, u64::from(scale)));
         }
         // The whole table is one word to those who count.

@@ -1,6 +1,7 @@
 //! Stimulus: the register writes that draw a scene, and the host that feeds them to a core.
 
 mod build;
+mod bump;
 mod duff;
 mod glint;
 mod host;
@@ -14,6 +15,7 @@ mod sample_lines;
 mod texture;
 
 pub use build::{build, Primitive, Stimulus, StimulusError, StimulusOptions, Triangle};
+pub use bump::{GradientMap, Relief};
 pub use glint::{Cone, Lobe};
 pub use host::{Host, Step};
 pub use lanes::clocks;

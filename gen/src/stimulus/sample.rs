@@ -1,8 +1,8 @@
 //! Triangles for a core that is generated without a scene: enough to exercise every register and every case of the walk.
 
 use super::{
-    build, sample_lines, Cone, Covering, Lobe, Material, Picture, Stimulus, StimulusError,
-    StimulusOptions, Triangle,
+    build, sample_lines, Cone, Covering, GradientMap, Lobe, Material, Picture, Relief, Stimulus,
+    StimulusError, StimulusOptions, Triangle,
 };
 use crate::spans;
 use shadegate_hdl::shade::device::Core;
@@ -116,6 +116,24 @@ fn covering(draw: &mut Draw, t: Texturing, pictures: &[Arc<Picture>; 2], i: usiz
     }
 }
 
+/// A map of gradients that differ everywhere.
+fn gradients() -> Arc<GradientMap> {
+    let slope =
+        |x: usize, y: usize| [(5 * x + 3 * y) % 64, (x * y) % 61].map(|s| s as f64 / 32.0 - 1.0);
+    Arc::new(GradientMap::new(slope))
+}
+
+/// A map on a triangle; every fourth one is smooth.
+fn relief(draw: &mut Draw, map: &Arc<GradientMap>, i: usize) -> Option<Relief> {
+    let mut at = || [0; 2].map(|_| draw.below(2560) as f64 / 16.0 - 20.0);
+    let address = [at(), at(), at()];
+    let bumpy = !i.is_multiple_of(4);
+    bumpy.then(|| Relief {
+        map: map.clone(),
+        address,
+    })
+}
+
 /// `count` triangles of mixed size and shape in (and a little around) the frame: both orientations, level edges,
 /// slivers, single pixels, shared corners, overlapping depths.
 #[must_use]
@@ -129,10 +147,18 @@ pub fn sample_triangles(
     let (w, h) = (u64::from(viewport.width), u64::from(viewport.height));
     let sub = SUBPIXELS as u64;
     let material = |i: usize| {
-        let shades = matches!(order, Order::QuadraticDots | Order::Duff | Order::Glint(_));
+        let shades = matches!(
+            order,
+            Order::QuadraticDots | Order::Duff | Order::Glint(_) | Order::Bump(_)
+        );
         shades.then(|| MATERIALS[2 * i / count.max(1)])
     };
-    let knots = if order == Order::Linear { 3 } else { 6 };
+    let knots = match order {
+        Order::Linear => 3,
+        Order::Bump(_) => 12,
+        _ => 6,
+    };
+    let map = gradients();
     let pictures = pictures();
     let mut out: Vec<Triangle> = vec![];
     for i in 0..count {
@@ -163,6 +189,8 @@ pub fn sample_triangles(
                 // Cosines from -0.5 to 1.
                 Order::QuadraticDots => [at[0] / 170.0 - 0.5, at[1] / 170.0 - 0.5, 0.0],
                 Order::Glint(_) => at.map(|c| c / 170.0 - 0.5),
+                // Parts of vectors from -0.3 to 0.7.
+                Order::Bump(_) => at.map(|c| c / 255.0 - 0.3),
                 // Dot products from -0.5 to 1 with a normal of a length from 0.7 to 1 that does not change.
                 Order::Duff => [
                     at[0] / 170.0 - 0.5,
@@ -183,6 +211,10 @@ pub fn sample_triangles(
             material: material(i),
             covering: match order {
                 Order::Textured(t) => Some(covering(&mut draw, t, &pictures, i)),
+                _ => None,
+            },
+            relief: match order {
+                Order::Bump(_) => relief(&mut draw, &map, i),
                 _ => None,
             },
             label: format!("sample {i}"),

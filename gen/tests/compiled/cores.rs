@@ -5,6 +5,7 @@ use rand::{Rng, SeedableRng};
 use rust_hdl_core::prelude::{Atom, Block, Probe};
 use shadegate_gen::compile::CompiledCore;
 use shadegate_gen::scene::TEXTURED;
+use shadegate_hdl::bump::Bend;
 use shadegate_hdl::shade::device::{Core, CoreSimulator};
 use shadegate_hdl::shade::model::{CoreInputs, Order};
 use std::collections::BTreeMap;
@@ -113,6 +114,12 @@ fn quadratic() {
 fn gouraud() {
     agree(Order::Linear, (96, 64));
     agree(Order::Linear, (1030, 9));
+}
+
+#[test]
+fn bumps() {
+    agree(Order::Bump(Bend::Newton), (96, 64));
+    agree(Order::Bump(Bend::Reflection), (1030, 9));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The samples of a map in four banks of block RAM, by the parity of column and row.
 //!
 //! The four samples around a place are two columns and two rows next to each other, one of them even and one odd: each
-//! bank gives one of them per clock, and no sample is stored twice. 64 by 64 samples of 32 bits are four memories of
+//! bank gives one of them per clock, and no sample is stored twice. 64 by 64 samples of 36 bits are four memories of
 //! 1024 words. Places are residues, so the map repeats without any logic. The left column of an odd pair is column u, in
 //! the odd bank; its right neighbour is the even column after it, that of the next pair.
 
@@ -21,28 +21,28 @@ pub struct BumpBanks {
     pub clock: Signal<In, Clock>,
     /// The stages move; everything holds otherwise.
     pub go: Signal<In, Bit>,
-    /// Column of the map, 8 fraction bits; the map repeats.
-    pub u: Signal<In, U<14>>,
+    /// Column of the map, 12 fraction bits; the map repeats.
+    pub u: Signal<In, U<18>>,
     /// Row, likewise.
-    pub v: Signal<In, U<14>>,
+    pub v: Signal<In, U<18>>,
     /// Writes a sample, whether the stages move or not.
     pub write: Signal<In, Bit>,
     /// Sample to write: row in bits 11 to 6, column in bits 5 to 0.
     pub write_address: Signal<In, U<12>>,
     /// The sample.
-    pub write_data: Signal<In, U<32>>,
+    pub write_data: Signal<In, U<36>>,
     /// Upper row, left column.
-    pub upper_left: Signal<Out, U<32>>,
+    pub upper_left: Signal<Out, U<36>>,
     /// Upper row, right column.
-    pub upper_right: Signal<Out, U<32>>,
+    pub upper_right: Signal<Out, U<36>>,
     /// Lower row, left column.
-    pub lower_left: Signal<Out, U<32>>,
+    pub lower_left: Signal<Out, U<36>>,
     /// Lower row, right column.
-    pub lower_right: Signal<Out, U<32>>,
+    pub lower_right: Signal<Out, U<36>>,
     /// Place between the columns, two clocks ago.
-    pub part_u: Signal<Out, U<8>>,
+    pub part_u: Signal<Out, U<12>>,
     /// Place between the rows.
-    pub part_v: Signal<Out, U<8>>,
+    pub part_v: Signal<Out, U<12>>,
     /// Address of the sample in an even row and column.
     address_00_1: Register<U<10>>,
     /// Address of the sample in an even row, odd column.
@@ -56,17 +56,17 @@ pub struct BumpBanks {
     /// The upper row is odd.
     odd_v_1: Register<Bit>,
     /// Place between the columns.
-    part_u_1: Register<U<8>>,
+    part_u_1: Register<U<12>>,
     /// Place between the rows.
-    part_v_1: Register<U<8>>,
+    part_v_1: Register<U<12>>,
     /// The left column is odd.
     odd_u_2: Register<Bit>,
     /// The upper row is odd.
     odd_v_2: Register<Bit>,
     /// Place between the columns.
-    part_u_2: Register<U<8>>,
+    part_u_2: Register<U<12>>,
     /// Place between the rows.
-    part_v_2: Register<U<8>>,
+    part_v_2: Register<U<12>>,
     /// Column on the left.
     column: Wire<U<6>>,
     /// Half of it: that of the odd column.
@@ -106,21 +106,21 @@ pub struct BumpBanks {
     /// An odd column is written.
     write_odd_u: Wire<Bit>,
     /// Even row, left column.
-    even_left: Wire<U<32>>,
+    even_left: Wire<U<36>>,
     /// Even row, right column.
-    even_right: Wire<U<32>>,
+    even_right: Wire<U<36>>,
     /// Odd row, left column.
-    odd_left: Wire<U<32>>,
+    odd_left: Wire<U<36>>,
     /// Odd row, right column.
-    odd_right: Wire<U<32>>,
+    odd_right: Wire<U<36>>,
     /// Samples in even rows and columns.
-    bank_00: Quiet<TableMemory<10, 32>>,
+    bank_00: Quiet<TableMemory<10, 36>>,
     /// Samples in even rows, odd columns.
-    bank_01: Quiet<TableMemory<10, 32>>,
+    bank_01: Quiet<TableMemory<10, 36>>,
     /// Samples in odd rows, even columns.
-    bank_10: Quiet<TableMemory<10, 32>>,
+    bank_10: Quiet<TableMemory<10, 36>>,
     /// Samples in odd rows and columns.
-    bank_11: Quiet<TableMemory<10, 32>>,
+    bank_11: Quiet<TableMemory<10, 36>>,
     /// One column or row.
     one: Constant<U<5>>,
 }
@@ -212,14 +212,14 @@ impl Logic for BumpBanks {
             part_v_2
         );
         // Where the samples are.
-        self.column.next = self.u.val().get_bits::<6>(8);
+        self.column.next = self.u.val().get_bits::<6>(12);
         self.is_odd_u.next = self.column.val().get_bit(0);
         self.odd_column.next = self.column.val().get_bits::<5>(1);
         self.even_column.next = self.odd_column.val();
         if self.is_odd_u.val() {
             self.even_column.next = self.odd_column.val() + self.one.val();
         }
-        self.row.next = self.v.val().get_bits::<6>(8);
+        self.row.next = self.v.val().get_bits::<6>(12);
         self.is_odd_v.next = self.row.val().get_bit(0);
         self.odd_row.next = self.row.val().get_bits::<5>(1);
         self.even_row.next = self.odd_row.val();
@@ -299,8 +299,8 @@ impl Logic for BumpBanks {
             self.address_11_1.d.next = self.odd_base.val() | self.odd_offset.val();
             self.odd_u_1.d.next = self.is_odd_u.val();
             self.odd_v_1.d.next = self.is_odd_v.val();
-            self.part_u_1.d.next = self.u.val().get_bits::<8>(0);
-            self.part_v_1.d.next = self.v.val().get_bits::<8>(0);
+            self.part_u_1.d.next = self.u.val().get_bits::<12>(0);
+            self.part_v_1.d.next = self.v.val().get_bits::<12>(0);
             self.odd_u_2.d.next = self.odd_u_1.q.val();
             self.odd_v_2.d.next = self.odd_v_1.q.val();
             self.part_u_2.d.next = self.part_u_1.q.val();

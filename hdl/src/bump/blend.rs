@@ -1,7 +1,7 @@
 //! One part of a gradient at a place between four samples: twice between columns, once between rows.
 //!
-//! A difference of two gradients within ±2 fits Q2.14; what lies between them is within ±2 again. Weights have 8 fraction
-//! bits; each product is cut to the 14 of a gradient.
+//! A difference of two gradients within ±2 fits Q2.16; what lies between them is within ±2 again. Weights have 12 fraction
+//! bits; each product is cut to the 16 of a gradient.
 
 use crate::format::{bit_cast_u, signed_cast_align, signed_cast_bits, signed_cast_product, Q, U};
 use crate::simulate::{Register, Wire};
@@ -19,67 +19,67 @@ pub struct BumpBlend {
     /// The stages move; everything holds otherwise.
     pub go: Signal<In, Bit>,
     /// Upper row, left column.
-    pub upper_left: Signal<In, Q<1, 14>>,
+    pub upper_left: Signal<In, Q<1, 16>>,
     /// Upper row, right column.
-    pub upper_right: Signal<In, Q<1, 14>>,
+    pub upper_right: Signal<In, Q<1, 16>>,
     /// Lower row, left column.
-    pub lower_left: Signal<In, Q<1, 14>>,
+    pub lower_left: Signal<In, Q<1, 16>>,
     /// Lower row, right column.
-    pub lower_right: Signal<In, Q<1, 14>>,
+    pub lower_right: Signal<In, Q<1, 16>>,
     /// Place between the columns.
-    pub part_u: Signal<In, U<8>>,
+    pub part_u: Signal<In, U<12>>,
     /// Place between the rows.
-    pub part_v: Signal<In, U<8>>,
+    pub part_v: Signal<In, U<12>>,
     /// What lies at the place, four clocks ago.
-    pub slope: Signal<Out, Q<1, 14>>,
+    pub slope: Signal<Out, Q<1, 16>>,
     /// Upper row, left column, with another integer bit.
-    upper_left_wide: Wire<Q<2, 14>>,
+    upper_left_wide: Wire<Q<2, 16>>,
     /// Upper row, right column, with another integer bit.
-    upper_right_wide: Wire<Q<2, 14>>,
+    upper_right_wide: Wire<Q<2, 16>>,
     /// Lower row, left column, with another integer bit.
-    lower_left_wide: Wire<Q<2, 14>>,
+    lower_left_wide: Wire<Q<2, 16>>,
     /// Lower row, right column, with another integer bit.
-    lower_right_wide: Wire<Q<2, 14>>,
+    lower_right_wide: Wire<Q<2, 16>>,
     /// Upper row, left.
-    upper_1: Register<Q<2, 14>>,
+    upper_1: Register<Q<2, 16>>,
     /// Its change to the right.
-    upper_rise_1: Register<Q<2, 14>>,
+    upper_rise_1: Register<Q<2, 16>>,
     /// Lower row, left.
-    lower_1: Register<Q<2, 14>>,
+    lower_1: Register<Q<2, 16>>,
     /// Its change to the right.
-    lower_rise_1: Register<Q<2, 14>>,
+    lower_rise_1: Register<Q<2, 16>>,
     /// Place between the columns.
-    part_u_1: Register<U<8>>,
+    part_u_1: Register<U<12>>,
     /// Place between the rows.
-    part_v_1: Register<U<8>>,
+    part_v_1: Register<U<12>>,
     /// Upper row, at the column.
-    upper_2: Register<Q<2, 14>>,
+    upper_2: Register<Q<2, 16>>,
     /// Lower row, at the column.
-    lower_2: Register<Q<2, 14>>,
+    lower_2: Register<Q<2, 16>>,
     /// Place between the rows.
-    part_v_2: Register<U<8>>,
+    part_v_2: Register<U<12>>,
     /// Upper row.
-    top_3: Register<Q<2, 14>>,
+    top_3: Register<Q<2, 16>>,
     /// Its change to the lower row.
-    rise_3: Register<Q<2, 14>>,
+    rise_3: Register<Q<2, 16>>,
     /// Place between the rows.
-    part_v_3: Register<U<8>>,
+    part_v_3: Register<U<12>>,
     /// At the place.
-    slope_4: Register<Q<2, 14>>,
+    slope_4: Register<Q<2, 16>>,
     /// Place between the columns with a sign.
-    weight_u_bits: Wire<U<9>>,
+    weight_u_bits: Wire<U<13>>,
     /// The same as a number.
-    weight_u: Wire<Q<0, 8>>,
+    weight_u: Wire<Q<0, 12>>,
     /// Place between the rows with a sign.
-    weight_v_bits: Wire<U<9>>,
+    weight_v_bits: Wire<U<13>>,
     /// The same as a number.
-    weight_v: Wire<Q<0, 8>>,
+    weight_v: Wire<Q<0, 12>>,
     /// What the column adds to the upper row.
-    upper_add: Wire<Q<2, 14>>,
+    upper_add: Wire<Q<2, 16>>,
     /// What it adds to the lower row.
-    lower_add: Wire<Q<2, 14>>,
+    lower_add: Wire<Q<2, 16>>,
     /// What the row adds.
-    add: Wire<Q<2, 14>>,
+    add: Wire<Q<2, 16>>,
 }
 
 impl Logic for BumpBlend {
@@ -107,19 +107,19 @@ impl Logic for BumpBlend {
             part_v_3,
             slope_4
         );
-        self.upper_left_wide.next = signed_cast_align::<2, 14, 1, 14>(self.upper_left.val());
-        self.upper_right_wide.next = signed_cast_align::<2, 14, 1, 14>(self.upper_right.val());
-        self.lower_left_wide.next = signed_cast_align::<2, 14, 1, 14>(self.lower_left.val());
-        self.lower_right_wide.next = signed_cast_align::<2, 14, 1, 14>(self.lower_right.val());
-        self.weight_u_bits.next = bit_cast_u::<9, 8>(self.part_u_1.q.val());
-        self.weight_u.next = signed_cast_bits::<0, 8, 9>(self.weight_u_bits.val());
-        self.weight_v_bits.next = bit_cast_u::<9, 8>(self.part_v_3.q.val());
-        self.weight_v.next = signed_cast_bits::<0, 8, 9>(self.weight_v_bits.val());
+        self.upper_left_wide.next = signed_cast_align::<2, 16, 1, 16>(self.upper_left.val());
+        self.upper_right_wide.next = signed_cast_align::<2, 16, 1, 16>(self.upper_right.val());
+        self.lower_left_wide.next = signed_cast_align::<2, 16, 1, 16>(self.lower_left.val());
+        self.lower_right_wide.next = signed_cast_align::<2, 16, 1, 16>(self.lower_right.val());
+        self.weight_u_bits.next = bit_cast_u::<13, 12>(self.part_u_1.q.val());
+        self.weight_u.next = signed_cast_bits::<0, 12, 13>(self.weight_u_bits.val());
+        self.weight_v_bits.next = bit_cast_u::<13, 12>(self.part_v_3.q.val());
+        self.weight_v.next = signed_cast_bits::<0, 12, 13>(self.weight_v_bits.val());
         self.upper_add.next =
-            signed_cast_product::<2, 14>(self.upper_rise_1.q.val() * self.weight_u.val());
+            signed_cast_product::<2, 16>(self.upper_rise_1.q.val() * self.weight_u.val());
         self.lower_add.next =
-            signed_cast_product::<2, 14>(self.lower_rise_1.q.val() * self.weight_u.val());
-        self.add.next = signed_cast_product::<2, 14>(self.rise_3.q.val() * self.weight_v.val());
+            signed_cast_product::<2, 16>(self.lower_rise_1.q.val() * self.weight_u.val());
+        self.add.next = signed_cast_product::<2, 16>(self.rise_3.q.val() * self.weight_v.val());
         if self.go.val() {
             self.upper_1.d.next = self.upper_left_wide.val();
             self.upper_rise_1.d.next = self.upper_right_wide.val() - self.upper_left_wide.val();
@@ -135,7 +135,7 @@ impl Logic for BumpBlend {
             self.part_v_3.d.next = self.part_v_2.q.val();
             self.slope_4.d.next = self.top_3.q.val() + self.add.val();
         }
-        self.slope.next = signed_cast_align::<1, 14, 2, 14>(self.slope_4.q.val());
+        self.slope.next = signed_cast_align::<1, 16, 2, 16>(self.slope_4.q.val());
     }
 }
 

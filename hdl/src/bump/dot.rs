@@ -21,9 +21,9 @@ pub struct BumpDot {
     /// The stages move; everything holds otherwise.
     pub go: Signal<In, Bit>,
     /// F_u.
-    pub slope_u: Signal<In, Q<1, 14>>,
+    pub slope_u: Signal<In, Q<1, 16>>,
     /// F_v.
-    pub slope_v: Signal<In, Q<1, 14>>,
+    pub slope_v: Signal<In, Q<1, 16>>,
     /// Factor of the parts across the surface.
     pub across: Signal<In, Q<1, 16>>,
     /// Part along its normal.

@@ -4,7 +4,7 @@ use super::reciprocal_table::reciprocal_word;
 use super::MAP_SIZE;
 use crate::format::{mask, wrap};
 
-/// Factor of Newton's step in 2^−16, from F_u and F_v in 2^−14.
+/// Factor of Newton's step in 2^−16, from F_u and F_v in 2^−16.
 #[must_use]
 pub fn newton(slope_u: i64, slope_v: i64) -> i64 {
     let sum = square(slope_u) + square(slope_v);
@@ -16,10 +16,10 @@ pub fn newton(slope_u: i64, slope_v: i64) -> i64 {
 
 /// A squared gradient in 2^−22.
 fn square(slope: i64) -> i64 {
-    (slope * slope) >> 6
+    (slope * slope) >> 10
 }
 
-/// Factors across and along of the reflection in 2^−16, from F_u and F_v in 2^−14.
+/// Factors across and along of the reflection in 2^−16, from F_u and F_v in 2^−16.
 #[must_use]
 pub fn reflection(slope_u: i64, slope_v: i64) -> (i64, i64) {
     let sum = square(slope_u) + square(slope_v);
@@ -30,7 +30,7 @@ pub fn reflection(slope_u: i64, slope_v: i64) -> (i64, i64) {
     (factor >> 2, (factor >> 1) - (1 << 16))
 }
 
-/// What a bump's cosine is made of: gradient in 2^−14, factors and light in 2^−16.
+/// What a bump's cosine is made of: gradient, factors and light in 2^−16.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Bump {
     /// F_u and F_v.
@@ -47,16 +47,16 @@ pub struct Bump {
 #[must_use]
 pub fn dot(b: &Bump) -> i64 {
     let keep = |code: i64| wrap(code, 22);
-    let slant = |i: usize| keep((b.slope[i] * b.light[i]) >> 12);
+    let slant = |i: usize| keep((b.slope[i] * b.light[i]) >> 14);
     let slants = keep(slant(0) + slant(1));
     let straight = keep((b.along * b.light[2]) >> 14);
     let cosine = keep(straight - keep((slants * b.across) >> 16));
     wrap(cosine >> 2, 19)
 }
 
-/// A map of gradients, row by row: F_u in bits 31 to 16, F_v in bits 15 to 0.
+/// A map of gradients, row by row: F_u in bits 35 to 18, F_v in bits 17 to 0.
 #[derive(Clone, Debug)]
-pub struct MapModel(Vec<u32>);
+pub struct MapModel(Vec<u64>);
 
 impl Default for MapModel {
     fn default() -> Self {
@@ -66,27 +66,27 @@ impl Default for MapModel {
 
 impl MapModel {
     /// Writes a sample: row in bits 11 to 6, column in bits 5 to 0.
-    pub fn write(&mut self, address: u64, data: u32) {
-        self.0[(address & mask(12)) as usize] = data;
+    pub fn write(&mut self, address: u64, data: u64) {
+        self.0[(address & mask(12)) as usize] = data & mask(36);
     }
 
-    /// Samples around a place (column and row, 8 fraction bits): upper left and right, lower left and right.
+    /// Samples around a place (column and row, 12 fraction bits): upper left and right, lower left and right.
     #[must_use]
-    pub fn samples(&self, u: u64, v: u64) -> [u32; 4] {
+    pub fn samples(&self, u: u64, v: u64) -> [u64; 4] {
         let last = MAP_SIZE as u64 - 1;
-        let (x, y) = ((u >> 8) & last, (v >> 8) & last);
+        let (x, y) = ((u >> 12) & last, (v >> 12) & last);
         [(0, 0), (0, 1), (1, 0), (1, 1)]
             .map(|(down, right)| self.0[(((y + down) & last) << 6 | ((x + right) & last)) as usize])
     }
 }
 
-/// The gradient between four samples, in 2^−14.
+/// The gradient between four samples, in 2^−16.
 #[must_use]
-pub fn blend(samples: [u32; 4], u: u64, v: u64) -> [i64; 2] {
-    let (part_u, part_v) = ((u & mask(8)) as i64, (v & mask(8)) as i64);
-    let between = |a: i64, b: i64, part: i64| a + (((b - a) * part) >> 8);
-    [16, 0].map(|low| {
-        let [a, b, c, d] = samples.map(|s| i64::from((s >> low) as u16 as i16));
+pub fn blend(samples: [u64; 4], u: u64, v: u64) -> [i64; 2] {
+    let (part_u, part_v) = ((u & mask(12)) as i64, (v & mask(12)) as i64);
+    let between = |a: i64, b: i64, part: i64| a + (((b - a) * part) >> 12);
+    [18, 0].map(|low| {
+        let [a, b, c, d] = samples.map(|s| wrap((s >> low) as i64, 18));
         between(between(a, b, part_u), between(c, d, part_u), part_v)
     })
 }

@@ -19,29 +19,29 @@ pub struct BumpNewton {
     /// The stages move; everything holds otherwise.
     pub go: Signal<In, Bit>,
     /// F_u.
-    pub slope_u: Signal<In, Q<1, 14>>,
+    pub slope_u: Signal<In, Q<1, 16>>,
     /// F_v.
-    pub slope_v: Signal<In, Q<1, 14>>,
+    pub slope_v: Signal<In, Q<1, 16>>,
     /// Factor of all parts of the normal of two clocks ago.
     pub factor: Signal<Out, Q<1, 16>>,
     /// F_u of two clocks ago.
-    pub late_u: Signal<Out, Q<1, 14>>,
+    pub late_u: Signal<Out, Q<1, 16>>,
     /// F_v of two clocks ago.
-    pub late_v: Signal<Out, Q<1, 14>>,
+    pub late_v: Signal<Out, Q<1, 16>>,
     /// F_u squared.
     square_u_1: Register<Q<3, 22>>,
     /// F_v squared.
     square_v_1: Register<Q<3, 22>>,
     /// F_u.
-    slope_u_1: Register<Q<1, 14>>,
+    slope_u_1: Register<Q<1, 16>>,
     /// F_v.
-    slope_v_1: Register<Q<1, 14>>,
+    slope_v_1: Register<Q<1, 16>>,
     /// The factor.
     factor_2: Register<U<17>>,
     /// F_u.
-    slope_u_2: Register<Q<1, 14>>,
+    slope_u_2: Register<Q<1, 16>>,
     /// F_v.
-    slope_v_2: Register<Q<1, 14>>,
+    slope_v_2: Register<Q<1, 16>>,
     /// Squared gradient.
     sum: Wire<Q<3, 22>>,
     /// Bits of it at and above 2.

@@ -21,43 +21,43 @@ pub struct BumpReflection {
     /// The stages move; everything holds otherwise.
     pub go: Signal<In, Bit>,
     /// F_u.
-    pub slope_u: Signal<In, Q<1, 14>>,
+    pub slope_u: Signal<In, Q<1, 16>>,
     /// F_v.
-    pub slope_v: Signal<In, Q<1, 14>>,
+    pub slope_v: Signal<In, Q<1, 16>>,
     /// Factor t of the parts across the surface, of four clocks ago.
     pub across: Signal<Out, Q<1, 16>>,
     /// Part along its normal, 2t - 1.
     pub along: Signal<Out, Q<1, 16>>,
     /// F_u of four clocks ago.
-    pub late_u: Signal<Out, Q<1, 14>>,
+    pub late_u: Signal<Out, Q<1, 16>>,
     /// F_v of four clocks ago.
-    pub late_v: Signal<Out, Q<1, 14>>,
+    pub late_v: Signal<Out, Q<1, 16>>,
     /// F_u squared.
     square_u_1: Register<Q<3, 22>>,
     /// F_v squared.
     square_v_1: Register<Q<3, 22>>,
     /// F_u.
-    slope_u_1: Register<Q<1, 14>>,
+    slope_u_1: Register<Q<1, 16>>,
     /// F_v.
-    slope_v_1: Register<Q<1, 14>>,
+    slope_v_1: Register<Q<1, 16>>,
     /// A quarter of the squared gradient, limited.
     place_2: Register<U<16>>,
     /// F_u.
-    slope_u_2: Register<Q<1, 14>>,
+    slope_u_2: Register<Q<1, 16>>,
     /// F_v.
-    slope_v_2: Register<Q<1, 14>>,
+    slope_v_2: Register<Q<1, 16>>,
     /// Place within the interval that is read.
     fraction_3: Register<U<8>>,
     /// F_u.
-    slope_u_3: Register<Q<1, 14>>,
+    slope_u_3: Register<Q<1, 16>>,
     /// F_v.
-    slope_v_3: Register<Q<1, 14>>,
+    slope_v_3: Register<Q<1, 16>>,
     /// The factor, in units of 2^-18.
     factor_4: Register<U<18>>,
     /// F_u.
-    slope_u_4: Register<Q<1, 14>>,
+    slope_u_4: Register<Q<1, 16>>,
     /// F_v.
-    slope_v_4: Register<Q<1, 14>>,
+    slope_v_4: Register<Q<1, 16>>,
     /// Squared gradient.
     sum: Wire<Q<3, 22>>,
     /// Bits of it at and above 4.

@@ -4,6 +4,8 @@
 //! word lengths per core, told apart by how far an accumulator can run in a frame (see [`longest_run`]).
 
 use super::blake::BlakeCore;
+use super::bump_newton::BumpNewtonCore;
+use super::bump_reflection::BumpReflectionCore;
 use super::chebyshev::ChebyshevCore;
 use super::duff::DuffCore;
 use super::gouraud::GouraudCore;
@@ -22,6 +24,7 @@ use super::textured_affine::TexturedAffineCore;
 use super::textured_perspective::TexturedPerspectiveCore;
 use super::textured_quadratic::TexturedQuadraticCore;
 use super::COLOUR_INTEGER_BITS;
+use crate::bump::{self, Bend};
 use crate::depth::pages::pages;
 use crate::format::U;
 use crate::light::{self, Glint, STEEPEST_HIGHLIGHT, STEEPEST_SPOT};
@@ -74,6 +77,15 @@ pub type KappaWide = KappaCore<19, 49, 21>;
 pub type SpotNarrow = SpotCore<15, 45, 17>;
 /// Quadratic-dots-spot core with the formats of [`QuadraticDotsWide`], the place in the cone as that in the lobe.
 pub type SpotWide = SpotCore<19, 49, 21>;
+
+/// Bump core with vectors in Q1.35, addresses in Q9.22, 37-bit bus, 2^17 frame addresses.
+pub type BumpNewtonNarrow = BumpNewtonCore<19, 37, 10, 17>;
+/// Bump core with vectors in Q1.39, addresses in Q9.26, 41-bit bus, 2^21 frame addresses.
+pub type BumpNewtonWide = BumpNewtonCore<23, 41, 14, 21>;
+/// Bump core with the formats of [`BumpNewtonNarrow`].
+pub type BumpReflectionNarrow = BumpReflectionCore<19, 37, 10, 17>;
+/// Bump core with the formats of [`BumpNewtonWide`].
+pub type BumpReflectionWide = BumpReflectionCore<23, 41, 14, 21>;
 
 /// Longest run of the narrow formats.
 pub const NARROW_RUN: u32 = 1023;
@@ -181,7 +193,8 @@ impl Core {
         let lanes = match self.order {
             Order::Linear | Order::Quadratic | Order::QuadraticDots | Order::Duff => true,
             Order::Span(_) => true,
-            Order::Line(_) | Order::QuadraticEngine | Order::Glint(_) | Order::Textured(_) => false,
+            Order::Line(_) | Order::QuadraticEngine | Order::Glint(_) => false,
+            Order::Textured(_) | Order::Bump(_) => false,
         };
         if !Self::LOAD_WORDS.contains(&words) {
             return Err(LoadWordsError::Count(words));
@@ -208,6 +221,7 @@ impl Core {
             Order::Duff => "duff",
             Order::Textured(t) => t.name(),
             Order::Glint(glint) => glint.name(),
+            Order::Bump(bend) => bend.name(),
         }
     }
 
@@ -253,6 +267,14 @@ impl Core {
                 }
                 all
             }
+            Order::Bump(_) => {
+                let fraction = bump::VECTOR_FRACTION_BITS + n;
+                let address = bump::address_fraction_bits(self.wide);
+                vec![
+                    ("vector", bump::VECTOR_INTEGER_BITS, fraction),
+                    ("address", bump::ADDRESS_INTEGER_BITS, address),
+                ]
+            }
             Order::Duff => vec![(
                 "dot",
                 unit_cosines::INTEGER_BITS,
@@ -271,6 +293,8 @@ impl Core {
             (Order::Linear, true) => 14,
             (Order::QuadraticDots | Order::Duff | Order::Glint(_), false) => 15,
             (Order::QuadraticDots | Order::Duff | Order::Glint(_), true) => 19,
+            (Order::Bump(_), false) => 19,
+            (Order::Bump(_), true) => 23,
             (Order::Line(_), _) => crate::line::cue::FRACTION_BITS,
             (Order::Span(_), _) => crate::lit::channel::COLOUR_FRACTION_BITS,
         }
@@ -284,6 +308,7 @@ impl Core {
             Order::QuadraticEngine => set_up::clocks(),
             Order::QuadraticDots => STAGES as u32,
             Order::Glint(_) => light::STAGES as u32,
+            Order::Bump(bend) => (bend.stages() + STAGES) as u32,
             Order::Duff => (unit_cosines::STAGES + STAGES) as u32,
             Order::Textured(t) => (t.mapping.stages() + texture::STAGES) as u32,
             Order::Line(filter) => return filter.latency(),
@@ -300,6 +325,7 @@ impl Core {
         let texels = match self.order {
             Order::Line(filter) => return pixels * filter.memory_bits(),
             Order::Textured(t) => t.memory_bits(),
+            Order::Bump(_) => (bump::MAP_SIZE * bump::MAP_SIZE * 36) as u64,
             _ => 0,
         };
         16 * pixels + 18 * pages(self.pixels) as u64 + texels
@@ -334,6 +360,7 @@ impl Core {
             | Order::QuadraticDots
             | Order::Duff
             | Order::Textured(_)
+            | Order::Bump(_)
             | Order::Glint(_) => 1.0 + n * (n + 1.0) / 2.0,
         };
         let unit = words / 2f64.powi(self.fraction_bits() as i32 + 1);
@@ -347,6 +374,10 @@ impl Core {
                 let light = 2f64.powi(-(LIGHT_FRACTION_BITS as i32));
                 let lobe = STEEPEST * 2f64.powi(-(PLACE_FRACTION_BITS as i32));
                 255.0 * unit * (light + lobe) + ERROR_LSB
+            }
+            // Exponents up to 24, gradients up to 1 that change evenly between the samples.
+            Order::Bump(bend) => {
+                255.0 * bend.cosine_error(unit) * (1.0 + bump::STATED_EXPONENT) + ERROR_LSB
             }
             Order::Glint(glint) => {
                 let light = 2f64.powi(-(LIGHT_FRACTION_BITS as i32));
@@ -419,6 +450,12 @@ impl Core {
             (Order::Glint(Glint::Kappa), true) => f.visit(KappaWide::new(self.pixels)),
             (Order::Glint(Glint::Spot), false) => f.visit(SpotNarrow::new(self.pixels)),
             (Order::Glint(Glint::Spot), true) => f.visit(SpotWide::new(self.pixels)),
+            (Order::Bump(Bend::Newton), false) => f.visit(BumpNewtonNarrow::new(self.pixels)),
+            (Order::Bump(Bend::Newton), true) => f.visit(BumpNewtonWide::new(self.pixels)),
+            (Order::Bump(Bend::Reflection), false) => {
+                f.visit(BumpReflectionNarrow::new(self.pixels))
+            }
+            (Order::Bump(Bend::Reflection), true) => f.visit(BumpReflectionWide::new(self.pixels)),
             (Order::Line(filter), false) => filter.with_design::<17, R>(self.pixels, f),
             (Order::Line(filter), true) => filter.with_design::<21, R>(self.pixels, f),
             (Order::Span(kind), false) => kind.with_design::<17, R>(self, f),
@@ -483,6 +520,8 @@ core_ports!(TexturedAffineCore, D, N, B, K, A);
 core_ports!(TexturedQuadraticCore, D, N, B, K, A);
 core_ports!(TexturedPerspectiveCore, D, N, B, A);
 core_ports!(KappaCore, N, B, A);
+core_ports!(BumpNewtonCore, N, B, K, A);
+core_ports!(BumpReflectionCore, N, B, K, A);
 core_ports!(SpotCore, N, B, A);
 core_ports!(SlerpCore, A; lanes);
 core_ports!(ChebyshevCore, A; lanes);

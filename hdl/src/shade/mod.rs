@@ -1,6 +1,8 @@
 //! Cores: a datapath per shading method behind the shared raster shell, with depth test and pixel stream.
 
 pub mod blake;
+pub mod bump_newton;
+pub mod bump_reflection;
 pub mod chebyshev;
 pub mod device;
 pub mod duff;

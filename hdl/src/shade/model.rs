@@ -11,6 +11,8 @@ use super::saturate::saturate_model;
 use super::span_core::SpanKind;
 use super::span_model::SpanModel;
 use super::{COLOUR_INTEGER_BITS, DEPTH_BIAS, DEPTH_FRACTION_BITS, DEPTH_INTEGER_BITS};
+use crate::bump::core_model::BumpModel;
+use crate::bump::{self, Bend};
 use crate::depth::z_buffer::{ZBufferInputs, ZBufferModel};
 use crate::format::mask;
 use crate::interpolate::linear_2::{Controls, Linear2Model};
@@ -39,6 +41,8 @@ pub enum Order {
     Duff,
     /// Quadrics of two or three cosines, highlight and spot per pixel without tables.
     Glint(Glint),
+    /// Normals bent by a map, quadrics of light and half-way vector: the bump cores.
+    Bump(Bend),
     /// Lines instead of triangles: the line cores.
     Line(Filter),
     /// Spans that the host sets up one by one.
@@ -194,6 +198,7 @@ impl Reflection {
             | Order::QuadraticEngine
             | Order::Line(_)
             | Order::Span(_)
+            | Order::Bump(_)
             | Order::Textured(_) => return None,
             Order::QuadraticDots => STAGES,
             Order::Glint(_) => crate::light::STAGES,
@@ -222,6 +227,8 @@ pub fn bus_bits(order: Order, fraction_bits: usize) -> usize {
             let (int, frac) = t.mapping.format(textured_wide(fraction_bits));
             1 + int + frac
         }
+        // Samples of the map.
+        Order::Bump(_) => 36,
         _ => 0,
     };
     interpolant_bits(order, fraction_bits)
@@ -234,6 +241,11 @@ fn textured_wide(fraction_bits: usize) -> bool {
     fraction_bits > 20
 }
 
+/// Whether a bump core whose vectors have `fraction_bits` below their units is the wide one.
+fn bump_wide(fraction_bits: usize) -> bool {
+    fraction_bits > 19
+}
+
 /// Widths of a core's three interpolants beside depth.
 fn interpolant_bits(order: Order, fraction_bits: usize) -> [usize; 3] {
     match order {
@@ -243,6 +255,10 @@ fn interpolant_bits(order: Order, fraction_bits: usize) -> [usize; 3] {
         | Order::Line(_)
         | Order::Span(_)
         | Order::Textured(_) => [1 + COLOUR_INTEGER_BITS + fraction_bits; 3],
+        Order::Bump(_) => {
+            let part = bump::VECTOR_INTEGER_BITS + bump::VECTOR_FRACTION_BITS;
+            [1 + part + fraction_bits, 1, 1]
+        }
         Order::QuadraticDots => [
             1 + LIGHT_INTEGER_BITS + LIGHT_FRACTION_BITS + fraction_bits,
             1 + PLACE_INTEGER_BITS + PLACE_FRACTION_BITS + fraction_bits,
@@ -281,6 +297,7 @@ pub struct CoreModel {
     colour: [Channel; 3],
     reflection: Option<Reflection>,
     texture: Option<Box<TextureModel>>,
+    bump: Option<Box<BumpModel>>,
     depth: Linear2Model,
     z_buffer: ZBufferModel,
     drawn: Pixel,
@@ -308,7 +325,11 @@ impl CoreModel {
         });
         let linear = Channel::Linear(Linear2Model::default());
         let channel = match order {
-            Order::Linear | Order::QuadraticEngine | Order::Line(_) | Order::Span(_) => linear,
+            Order::Linear
+            | Order::QuadraticEngine
+            | Order::Line(_)
+            | Order::Bump(_)
+            | Order::Span(_) => linear,
             Order::Quadratic
             | Order::QuadraticDots
             | Order::Duff
@@ -335,6 +356,13 @@ impl CoreModel {
                 }
                 _ => None,
             },
+            bump: match order {
+                Order::Bump(bend) => {
+                    let wide = bump_wide(fraction_bits);
+                    Some(BumpModel::new(bend, fraction_bits, wide).into())
+                }
+                _ => None,
+            },
             depth: Linear2Model::default(),
             z_buffer: ZBufferModel::new(pixels),
             drawn: Pixel::default(),
@@ -358,6 +386,7 @@ impl CoreModel {
     fn draining(&self) -> bool {
         self.reflection.as_ref().is_some_and(|r| r.draining)
             || self.texture.as_ref().is_some_and(|t| t.draining)
+            || self.bump.as_ref().is_some_and(|b| b.draining)
     }
 
     /// A triangle is waiting or being walked, or a pixel has no colour yet.
@@ -365,6 +394,7 @@ impl CoreModel {
         shell_busy
             || self.reflection.as_ref().is_some_and(|r| r.delay.busy())
             || self.texture.as_ref().is_some_and(|t| t.delay.busy())
+            || self.bump.as_ref().is_some_and(|b| b.delay.busy())
     }
 
     fn busy(&self, shell_busy: bool) -> bool {
@@ -447,7 +477,8 @@ impl CoreModel {
         let go = si.go;
         let depth_bits = 1 + DEPTH_INTEGER_BITS + DEPTH_FRACTION_BITS;
         let accept = so.load_ready && !self.draining();
-        let textured = self.texture.is_some();
+        let numbered = self.bump.is_some();
+        let textured = numbered || self.texture.is_some();
         let write = |channel: usize| {
             if !textured {
                 return i.word_for(1 + channel).filter(|_| accept);
@@ -455,6 +486,8 @@ impl CoreModel {
             let chosen = match channel {
                 // Bit 7 chooses between the colours and the rest, of which depth is the one without a mask.
                 3 => i.select >> 4 == select::DEPTH >> 4,
+                // Their words belong to the stages behind the shell.
+                _ if numbered => false,
                 _ => i.select >> 7 == 0 && i.select >> (4 + channel) & 1 == 1,
             };
             (accept && i.write && chosen).then_some((usize::from(i.select & 15), i.data))
@@ -470,9 +503,17 @@ impl CoreModel {
         let values = self.colour.map(|c| c.value() >> self.fraction_bits);
         let walking = self.walking(so.busy);
         let (arrived, levels) = match &mut self.reflection {
-            None => match &mut self.texture {
-                None => (walked, values),
-                Some(t) => {
+            None => match (&mut self.texture, &mut self.bump) {
+                (None, None) => (walked, values),
+                (None, Some(b)) => {
+                    let late = (b.delay.last().unwrap_or(walked), b.levels());
+                    let own = (accept && i.write).then_some((i.select, i.data));
+                    b.clock(own, go, so.controls, walked);
+                    let fence = own.is_some() && usize::from(i.select) == FENCE_WORD;
+                    b.draining = fence || (b.draining && walking);
+                    late
+                }
+                (Some(t), _) => {
                     let late = (t.delay.last().unwrap_or(walked), t.levels());
                     let colours = self
                         .colour

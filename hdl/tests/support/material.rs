@@ -35,6 +35,11 @@ pub fn writes(order: Order) -> Vec<(u8, u64)> {
             let curve = [(0x49, 3 | 1 << 3)];
             [(12, 0)].into_iter().chain(colours).chain(curve).collect()
         }
+        Order::Bump(_) => {
+            let mut all = writes(Order::Duff);
+            all.extend(super::bumps::writes());
+            all
+        }
         Order::QuadraticDots | Order::Duff => {
             let colours = (0x40..).zip(COLOURS);
             let words = table().map(|w| (0x4a, u64::from(w)));

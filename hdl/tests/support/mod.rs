@@ -1,10 +1,12 @@
 //! A host for whole cores: turns triangles and polynomials into legal register words, writes them, collects pixels.
 #![allow(dead_code, unused_imports)]
 
+mod bumps;
 mod machine;
 mod material;
 mod picture;
 
+pub use bumps::BUMPS;
 pub use machine::{check_done, taken, Machine, Pixel};
 pub use picture::TEXTURED;
 
@@ -107,10 +109,14 @@ impl Triangle {
             let fraction = t.mapping.format(false).1;
             channels.extend(picture::addresses(self, t.mapping, fraction));
         }
+        if let Order::Bump(_) = order {
+            channels.extend(bumps::channels(self));
+        }
         for (channel, polynomial) in channels.iter().enumerate() {
             let words = polynomial.words(x, i64::from(w.first_row), steps);
             let (select, count): (u8, u8) = match (order, channel) {
                 (Order::QuadraticDots, 2) => (0, 0),
+                (Order::Bump(_), channel) => bumps::words(channel),
                 (Order::Textured(_), 0..=2) => (16 << channel, 10),
                 (Order::Textured(t), 4 | 5) if t.mapping == Mapping::Quadratic => {
                     (0x80 | 1 << channel, 10)
@@ -180,6 +186,11 @@ impl Triangle {
                     let address = address.map(|c| c.at(column, row));
                     picture::level(colour, address, t.mapping, fraction)
                 }
+                Order::Bump(bend) => {
+                    let at = |p: &Polynomial| p.at(column, row);
+                    let [light, place] = bumps::arguments(self, bend, at);
+                    [0, 1, 2].map(|c| material::level(c, light, place))
+                }
                 Order::Glint(g) => [0, 1, 2].map(|c| material::glint(c, g, values)),
                 Order::Duff => {
                     let [light, place] = arguments(values, 0);
@@ -215,6 +226,7 @@ pub fn random_triangles(
         | Order::QuadraticEngine
         | Order::QuadraticDots
         | Order::Textured(_)
+        | Order::Bump(_)
         | Order::Glint(_) => unit / 32,
         Order::Duff => 0,
     };
@@ -227,6 +239,7 @@ pub fn random_triangles(
         | Order::Span(_)
         | Order::Textured(_) => [unit; 3],
         Order::QuadraticDots => [unit << (16 - 8), unit << (19 - 8), 0],
+        Order::Bump(_) => [unit << (16 - 8); 3],
         Order::Glint(_) => [unit << (16 - 8), unit << (19 - 8), unit << (19 - 8)],
         Order::Duff => [unit << (28 - 8); 3],
     };

@@ -60,6 +60,12 @@ impl BumpMap {
         &self.relief
     }
 
+    /// Columns and rows of the map.
+    #[must_use]
+    pub fn size(&self) -> DVec2 {
+        self.heights.size()
+    }
+
     /// F_u and F_v at texture coordinates: world units per unit of u and v.
     #[must_use]
     pub fn slope(&self, uv: DVec2) -> DVec2 {

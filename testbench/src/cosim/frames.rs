@@ -1,7 +1,7 @@
 //! Frames from pixel streams, and the arithmetic error of every pixel that a core hands over.
 
 use super::span_oracle::SpanOracle;
-use super::{lines, texture_oracle, Prelude};
+use super::{bump_oracle, lines, texture_oracle, Prelude};
 use shadegate_gen::stimulus::{Lobe, Triangle};
 use shadegate_gen::vectors::Pixel;
 use shadegate_hdl::shade::model::Order;
@@ -133,6 +133,10 @@ pub fn fragment_error(p: &Prelude) -> FragmentError {
                 let knots: [[f64; 3]; 6] = std::array::from_fn(|i| t.knots[i]);
                 let cosines = shade::quadratic::value(&t.position, &knots, x, y);
                 reflected(t, cosines)
+            }
+            Order::Bump(bend) => {
+                let [light, half] = bump_oracle::cosines(t, bend, x, y);
+                reflected(t, [light, half, 0.0])
             }
             // Judged above.
             Order::Line(_) => continue,

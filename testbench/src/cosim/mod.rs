@@ -1,5 +1,6 @@
 //! The main job: scene → set-up → stimulus → engine → frame → judgement.
 
+pub mod bump_oracle;
 mod frames;
 mod lines;
 mod report;
@@ -16,8 +17,8 @@ use crate::engine::{run, Engine, EngineError, Wave};
 use frames::Frames;
 use shadegate_gen::package::{package, rtl, Package, PackageError};
 use shadegate_gen::scene::{
-    self, drawable, line_order, order_for, order_of, suited, triangles_for, SetUp, Undrawable,
-    Unsuited, CORES,
+    self, drawable, fitting, line_order, order_for, order_of, suited, triangles_for, SetUp,
+    Undrawable, Unsuited, CORES,
 };
 use shadegate_gen::spans::{self, Refused};
 use shadegate_gen::stimulus::{build, build_lines, Line, StimulusError, StimulusOptions};
@@ -238,10 +239,11 @@ pub fn prelude_by(
     let core = with_set_up(core, set_up)?;
     let core = core.with_load_words(stimulus.load_words.unwrap_or(core.load_words))?;
     refuse(scene)?;
-    drawable(scene)?;
+    drawable(scene, core.order)?;
     suited(scene, core.order)?;
     let prepared = Prepared::new(scene, Some((width, height)), &Skips::all())?;
     spans::drawable(scene, &prepared, core.order)?;
+    fitting(scene, &prepared, core.order)?;
     let viewport = Viewport { width, height };
     let (mut triangles, mut lines) = (vec![], vec![]);
     let stimulus = match core.order {

@@ -6,6 +6,7 @@ use super::build::nextpnr_options;
 use super::line;
 use super::{Manifest, Target};
 use shadegate_constraints::Format;
+use shadegate_hdl::bump::Bend;
 use shadegate_hdl::depth::pages::{pages, renewals, PAGE};
 use shadegate_hdl::light::Glint;
 use shadegate_hdl::shade::device::Core;
@@ -39,6 +40,12 @@ pub fn readme(m: &Manifest, core: &Core, target: Option<Target>, example: &str) 
                 "a quadric through six colours times a texture in true perspective"
             }
         },
+        Order::Bump(Bend::Newton) => {
+            "normals that a map of gradients bends and a Newton step brings near unit length, quadrics of light and half-way vector, and the light that the material reflects per pixel"
+        }
+        Order::Bump(Bend::Reflection) => {
+            "normals that a map of gradients bends and a reflection keeps at unit length, quadrics of light and half-way vector, and the light that the material reflects per pixel"
+        }
         Order::Glint(Glint::Kappa) => {
             "quadrics of N·L and N·H through six knots, and the light that the material reflects per pixel, its highlight κ(N·H − γ)^d"
         }

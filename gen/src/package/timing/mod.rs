@@ -76,6 +76,7 @@ fn triangle(order: Order) -> Triangle {
         knots: cosines(order, knots),
         material: material(order),
         covering: None,
+        relief: None,
         label: "timing diagram".to_owned(),
     }
 }
@@ -89,7 +90,7 @@ pub(super) fn material(order: Order) -> Option<Material> {
         | Order::Line(_)
         | Order::Span(_)
         | Order::Textured(_) => None,
-        Order::QuadraticDots | Order::Duff | Order::Glint(_) => Some(Material {
+        Order::QuadraticDots | Order::Duff | Order::Glint(_) | Order::Bump(_) => Some(Material {
             ambient: [20.0, 10.0, 5.0],
             diffuse: [200.0, 120.0, 60.0],
             specular: [0.0; 3],
@@ -115,6 +116,11 @@ pub(super) fn cosines(order: Order, knots: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
         // In the middle of the cone.
         Order::QuadraticDots | Order::Duff | Order::Glint(_) => {
             knots.iter().map(|k| [k[0] / 255.0, 0.0, 1.0]).collect()
+        }
+        // The light along the normal of a smooth surface.
+        Order::Bump(_) => {
+            let light = knots.iter().map(|k| [0.0, 0.0, k[0] / 255.0]);
+            light.clone().chain(light).collect()
         }
     }
 }

@@ -38,7 +38,8 @@ pub fn inverse_root(square: i64) -> (i64, u32) {
 }
 
 /// N·L in units of 2^−16 and place in the lobe in units of 2^−19, from two cosines in units of 2^−28.
-fn place([light, half]: [i64; 2], scale: u64) -> [i64; 2] {
+#[must_use]
+pub(crate) fn place([light, half]: [i64; 2], scale: u64) -> [i64; 2] {
     let off = wrap((1 << 28) - half, 32);
     let place = match off {
         o if o < 0 => 0,
