@@ -54,6 +54,7 @@ fn grown(genes: &[f64], knots: usize, size: (u32, u32), i: usize) -> Triangle {
         knots: (0..knots).map(knot).collect(),
         material: None,
         covering: None,
+        relief: None,
         label: format!("grown {i}"),
     }
 }

@@ -172,6 +172,7 @@ fn grown(genes: &[f64], size: (u32, u32), i: usize) -> Triangle {
             cone: None,
         }),
         covering: None,
+        relief: None,
         label: format!("grown {i}"),
     }
 }

@@ -247,6 +247,7 @@ fn grown(genes: &[f64], size: (u32, u32), i: usize) -> Triangle {
             }),
         }),
         covering: None,
+        relief: None,
         label: format!("grown {i}"),
     }
 }
