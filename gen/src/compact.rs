@@ -34,7 +34,7 @@ pub fn words(triangle: &Primitive, dropped: u32) -> Vec<(u8, u32)> {
         part => part.min(rows),
     };
     let first_row = word(1) & 0x7ff;
-    let row = |n: u64| first_row + n & 0x7ff;
+    let row = |n: u64| (first_row + n) & 0x7ff;
     let has_lower = u64::from(rows > upper_rows);
     let shape = has_lower << 23 | mirrored << 22 | row(rows) << 11 | row(upper_rows);
     let mut out = vec![

@@ -31,7 +31,7 @@ fn word(r: &mut StdRng, select: u8) -> u32 {
         8 => {
             let (upper, lower) = (r.random_range(1..5u32), r.random_range(0..4u32));
             let turn = FIRST_ROW + upper;
-            let rows = (turn + lower & 0x7ff) << 11 | turn & 0x7ff;
+            let rows = ((turn + lower) & 0x7ff) << 11 | (turn & 0x7ff);
             u32::from(lower > 0) << 23 | r.random_range(0..2u32) << 22 | rows
         }
         9 => FIRST_ROW,

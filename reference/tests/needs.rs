@@ -134,7 +134,7 @@ fn frames_are_joined() {
 #[test]
 fn a_run_is_lines_carries_and_pixels() {
     let p = prepared("sphere-168", &Skips::all());
-    let mut one = p.triangles[0].clone();
+    let mut one = p.triangles[0];
     // The major edge goes from the first row down to the left by one pixel per row without any carry; spans grow by one.
     one.position = [(0, 0), (0, 2560), (2560, 2560)].map(|(x, y)| Point { x, y });
     let surroundings = shadegate_reference::shade::light::Surroundings::of(

@@ -28,21 +28,18 @@ impl Needs {
     pub(super) fn measure(&mut self, p: &Prepared, covering: &[bool]) {
         for (t, covers) in p.triangles.iter().zip(covering) {
             let knots = gouraud::knots(p, t);
-            for i in 0..3 {
+            for (i, knot) in knots.iter().enumerate() {
                 let at = |v: i32| f64::from(v) / f64::from(SUBPIXELS);
                 self.columns = self.columns.with(at(t.position[i].x));
                 self.rows = self.rows.with(at(t.position[i].y));
                 self.depth = self.depth.with(t.depth[i]);
-                for v in knots[i] {
-                    self.colour = self.colour.with(v);
-                }
+                self.colour = knot.iter().fold(self.colour, |range, v| range.with(*v));
             }
             if *covers {
                 self.depth_slope = self.depth_slope.max(slope(t, t.depth));
-                for c in 0..3 {
-                    let channel = [knots[0][c], knots[1][c], knots[2][c]];
-                    self.colour_slope = self.colour_slope.max(slope(t, channel));
-                }
+                let channels = [0, 1, 2].map(|c| knots.map(|k| k[c]));
+                let steepest = channels.map(|channel| slope(t, channel));
+                self.colour_slope = steepest.into_iter().fold(self.colour_slope, f64::max);
             }
             for (a, b) in EDGES {
                 let (a, b) = (t.normal[a], t.normal[b]);
