@@ -1,8 +1,9 @@
 // Block RAMs of Spartan-6 and Spartan-7 for the simulation of netlists; Yosys has no behaviour for them.
 //
 // One array of bytes with their parity bits, two ports. A port of 9, 18, 36 or 72 bits reads what stood there before the
-// edge (READ_FIRST) and writes the bytes that are enabled. Bits without a code at power-up are zeros. Any other use
-// shows as unknown outputs.
+// edge (READ_FIRST) and writes the bytes that are enabled. A memory of another mode may be read by port A and written by
+// port B, but what is read while it is written is unknown; one that is never written reads the same in every mode. Bits
+// without a code at power-up are zeros. Any other use shows as unknown outputs.
 
 `default_nettype none
 
@@ -18,6 +19,7 @@ module block_ram (
   parameter READ_A = 0, WRITE_A = 0;   // bits of a port with parity, 0 if it is not used
   parameter READ_B = 0, WRITE_B = 0;
   parameter FITS = 1;                  // the modes are those described above
+  parameter APART = 0;                 // not READ_FIRST: a word must not be read while it is written
   parameter [8*BYTES-1:0] DATA = 0;
   parameter [BYTES-1:0] PARITY = 0;
 
@@ -53,10 +55,14 @@ module block_ram (
   wire [15:0] first_a = address_a[15:3] & ~(bytes(READ_A ? READ_A : WRITE_A) - 1) & (BYTES - 1);
   wire [15:0] first_b = address_b[15:3] & ~(bytes(READ_B ? READ_B : WRITE_B) - 1) & (BYTES - 1);
 
+  // Where port B writes, and whether port A reads there.
+  wire [15:0] written = address_b[15:3] & ~(bytes(WRITE_B) - 1) & (BYTES - 1);
+  wire meet = APART && enable_b && write_b != 0 && first_a < written + bytes(WRITE_B) && written < first_a + bytes(READ_A);
+
   always @(posedge clock_a) if (FITS && enable_a) begin
     for (a = 0; a < bytes(READ_A); a = a + 1) begin
-      data_a[8*a +: 8] <= words[first_a + a][7:0];
-      parity_a[a] <= words[first_a + a][8];
+      data_a[8*a +: 8] <= meet ? 8'bx : words[first_a + a][7:0];
+      parity_a[a] <= meet ? 1'bx : words[first_a + a][8];
     end
     for (a = 0; a < bytes(WRITE_A); a = a + 1)
       if (write_a[a]) words[first_a + a] <= {parity_in_a[a], data_in_a[8*a +: 8]};

@@ -56,7 +56,9 @@ module block_ram_18 (
 
   block_ram #(
     .BYTES(2048), .READ_A(READ_WIDTH_A), .WRITE_A(WRITE_WIDTH_A), .READ_B(READ_WIDTH_B), .WRITE_B(WRITE_WIDTH_B),
-    .FITS(WRITE_MODE_A == "READ_FIRST" && WRITE_MODE_B == "READ_FIRST" && DOA_REG == 0 && DOB_REG == 0),
+    .FITS(DOA_REG == 0 && DOB_REG == 0 && (SIMPLE || WRITE_WIDTH_A == 0 && WRITE_WIDTH_B == 0
+          || WRITE_MODE_A == "READ_FIRST" && WRITE_MODE_B == "READ_FIRST")),
+    .APART(WRITE_MODE_A != "READ_FIRST" || WRITE_MODE_B != "READ_FIRST"),
     .DATA(DATA), .PARITY(PARITY)
   ) words (
     .clock_a(CLKARDCLK), .enable_a(ENARDEN), .write_a(SIMPLE ? 8'd0 : WEA), .address_a({2'd0, ADDRARDADDR}),
@@ -155,7 +157,9 @@ module block_ram_36 (
 
   block_ram #(
     .BYTES(4096), .READ_A(READ_WIDTH_A), .WRITE_A(WRITE_WIDTH_A), .READ_B(READ_WIDTH_B), .WRITE_B(WRITE_WIDTH_B),
-    .FITS(WRITE_MODE_A == "READ_FIRST" && WRITE_MODE_B == "READ_FIRST" && DOA_REG == 0 && DOB_REG == 0),
+    .FITS(DOA_REG == 0 && DOB_REG == 0 && (SIMPLE || WRITE_WIDTH_A == 0 && WRITE_WIDTH_B == 0
+          || WRITE_MODE_A == "READ_FIRST" && WRITE_MODE_B == "READ_FIRST")),
+    .APART(WRITE_MODE_A != "READ_FIRST" || WRITE_MODE_B != "READ_FIRST"),
     .DATA(DATA), .PARITY(PARITY)
   ) words (
     .clock_a(CLKARDCLK), .enable_a(ENARDEN), .write_a(SIMPLE ? 8'd0 : WEA), .address_a({1'b0, ADDRARDADDR[14:0]}),
