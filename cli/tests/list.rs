@@ -31,7 +31,7 @@ fn names_alone_when_quiet() {
         .stdout(Method::NAMES.join("\n") + "\n");
     f.run("list cores -q")
         .code(0)
-        .stdout("gouraud\nquadratic\nquadratic-dots\nduff\nslerp\nslerp-chebyshev\nspherical-cos2-rom4\nspherical-cos2-rom6\nspherical-cos2-rom8\nspherical-cosn\nblake\nblake-refit\nblake-trapezium\nquadratic-dots-kappa\nquadratic-dots-spot\ntextured-affine\ntextured-quadratic\ntextured-perspective\nbresenham\nbox\ncone\nquadratic-engine\n");
+        .stdout("gouraud\nquadratic\nquadratic-dots\nduff\nslerp\nslerp-chebyshev\nspherical-cos2-rom4\nspherical-cos2-rom6\nspherical-cos2-rom8\nspherical-cosn\nblake\nblake-refit\nblake-trapezium\nquadratic-dots-kappa\nquadratic-dots-spot\nbump-newton\nbump-reflection\ntextured-affine\ntextured-quadratic\ntextured-perspective\nbresenham\nbox\ncone\nquadratic-engine\n");
     f.run("list scenes -q --dir .").code(0).stdout("ball\n");
     f.run("list engines -q")
         .code(0)

@@ -57,6 +57,11 @@ fn what_comes_around_every_core() {
     };
     for (_, order) in catalogue() {
         let core = Core::for_frame(order, view.width, view.height).expect("in range");
+        // Bus wrappers write one word per clock.
+        let core = Core {
+            load_words: 1,
+            ..core
+        };
         let stimulus = sample(&core, view, 8, 1).expect("set up");
         let trace = Trace::record(core, &stimulus, |_| true);
         let options = Options {

@@ -94,7 +94,7 @@ pub struct BumpNewtonCore<const N: usize, const B: usize, const K: usize, const 
     /// Depth less 32768.
     depth_value: Quiet<Linear2<32, 15, 16>>,
     /// N.L and place in the lobe.
-    light: Quiet<BumpNewtonLight>,
+    bent_light: Quiet<BumpNewtonLight>,
     /// The reflection model.
     colour: Quiet<PhongColour>,
     /// Where the pixels are, stages 1 to 18.
@@ -141,7 +141,7 @@ impl<const N: usize, const B: usize, const K: usize, const A: usize> BumpNewtonC
             u_value: Default::default(),
             v_value: Default::default(),
             depth_value: Default::default(),
-            light: Default::default(),
+            bent_light: Default::default(),
             colour: Default::default(),
             places: Default::default(),
             stream: PixelStream::new(pixels).into(),
@@ -228,27 +228,27 @@ impl<const N: usize, const B: usize, const K: usize, const A: usize> Logic
         self.depth_value.take.next = self.shell.take.val();
         self.depth_value.run.next = self.shell.run.val();
 
-        self.light.clock.next = self.clock.val();
-        self.light.go.next = self.stream.go.val();
-        self.light.write.next = self.write_material.val();
-        self.light.word.next = self.word.val();
-        self.light.data.next = self.bus_36.val();
-        self.light.u.next = self.u_value.value.val();
-        self.light.v.next = self.v_value.value.val();
-        self.light.light_u.next = self.vectors.light_u.val();
-        self.light.light_v.next = self.vectors.light_v.val();
-        self.light.light_n.next = self.vectors.light_n.val();
-        self.light.half_u.next = self.vectors.half_u.val();
-        self.light.half_v.next = self.vectors.half_v.val();
-        self.light.half_n.next = self.vectors.half_n.val();
+        self.bent_light.clock.next = self.clock.val();
+        self.bent_light.go.next = self.stream.go.val();
+        self.bent_light.write.next = self.write_material.val();
+        self.bent_light.word.next = self.word.val();
+        self.bent_light.data.next = self.bus_36.val();
+        self.bent_light.u.next = self.u_value.value.val();
+        self.bent_light.v.next = self.v_value.value.val();
+        self.bent_light.light_u.next = self.vectors.light_u.val();
+        self.bent_light.light_v.next = self.vectors.light_v.val();
+        self.bent_light.light_n.next = self.vectors.light_n.val();
+        self.bent_light.half_u.next = self.vectors.half_u.val();
+        self.bent_light.half_v.next = self.vectors.half_v.val();
+        self.bent_light.half_n.next = self.vectors.half_n.val();
 
         self.colour.clock.next = self.clock.val();
         self.colour.go.next = self.stream.go.val();
         self.colour.write.next = self.write_material.val();
         self.colour.word.next = self.word.val();
         self.colour.data.next = self.bus_32.val();
-        self.colour.light.next = self.light.light.val();
-        self.colour.place.next = self.light.place.val();
+        self.colour.light.next = self.bent_light.light.val();
+        self.colour.place.next = self.bent_light.place.val();
 
         self.places.clock.next = self.clock.val();
         self.places.go.next = self.stream.go.val();
