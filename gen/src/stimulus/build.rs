@@ -126,10 +126,16 @@ impl Writer<'_> {
         self.out.skipped_dark += words;
     }
 
-    fn shell(&mut self, words: &[u64], writes: &mut Vec<(u8, u64)>) {
-        for (word, data) in words.iter().enumerate() {
-            if self.needed(word as u8, *data) {
-                writes.push((word as u8, *data));
+    /// The words of a target from its first one on, as far as they are needed.
+    pub(super) fn words(
+        &mut self,
+        target: u8,
+        words: impl IntoIterator<Item = u64>,
+        writes: &mut Vec<(u8, u64)>,
+    ) {
+        for (word, data) in (0u8..).zip(words) {
+            if self.needed(target | word, data) {
+                writes.push((target | word, data));
             }
         }
     }
@@ -311,7 +317,7 @@ pub fn build(
             continue;
         }
         let shell = shell_words(t.position, &walk, viewport.width).map_err(error)?;
-        w.shell(&shell, &mut writes);
+        w.words(0, shell, &mut writes);
         channel_words(core, t, &walk, &pictures, &mut w, &mut writes).map_err(error)?;
         w.out.primitives.push(Primitive {
             triangle: index,

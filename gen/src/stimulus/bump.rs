@@ -144,7 +144,7 @@ impl Writer<'_> {
                 let knots = part(t, first, which)?;
                 let half = 1i128 << (below - 1);
                 let words = quadric_words(frame, knots, fraction - FINER, width, half);
-                self.quadric(target, words, writes);
+                self.words(target, words, writes);
             }
         }
         let Some(r) = &t.relief else {
@@ -161,11 +161,7 @@ impl Writer<'_> {
                     .ok_or_else(|| format!("its place in the map is beyond {FARTHEST} samples"))?;
             }
             let words = plane_words(frame, knots, fraction as u32, width, half);
-            for (word, data) in (0u8..).zip(words) {
-                if self.needed(target | word, data) {
-                    writes.push((target | word, data));
-                }
-            }
+            self.words(target, words, writes);
         }
         Ok(())
     }

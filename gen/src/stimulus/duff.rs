@@ -86,15 +86,11 @@ impl Writer<'_> {
             }
             let [a, b, c, ..] = fixed(t, name, which)?;
             let words = plane_words(frame, [a, b, c], fraction - FINER, width, 0);
-            for (word, data) in (0u8..).zip(words) {
-                if self.needed(MASKS[which] | word, data) {
-                    writes.push((MASKS[which] | word, data));
-                }
-            }
+            self.words(MASKS[which], words, writes);
         }
         let square = fixed(t, "N·N", 2)?;
         let words = quadric_words(frame, square, fraction - FINER, width, 0);
-        self.quadric(MASKS[2], words, writes);
+        self.words(MASKS[2], words, writes);
         Ok(())
     }
 }

@@ -154,10 +154,10 @@ impl Writer<'_> {
             LIGHT_FRACTION_BITS,
             1i128 << (below - 1),
         );
-        self.unless(matt, |w, writes| w.quadric(LIGHT, light, writes), writes);
+        self.unless(matt, |w, writes| w.words(LIGHT, light, writes), writes);
         let at = six(t, "N·H", 1, |c| (1.0 - c) * lobe)?;
         let at = place(at, false);
-        self.unless(dull, |w, writes| w.quadric(LOBE, at, writes), writes);
+        self.unless(dull, |w, writes| w.words(LOBE, at, writes), writes);
         if let Some((scale, hard)) = cone {
             let at = six(t, "the cosine from the axis", 2, |c| (1.0 - c) * scale)?;
             let at = place(at, hard);

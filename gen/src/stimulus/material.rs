@@ -120,11 +120,7 @@ impl Writer<'_> {
         writes: &mut Vec<(u8, u64)>,
     ) -> Result<(), String> {
         let mut words = vec![];
-        for (word, data) in (0u8..).zip(m.colours()?) {
-            if self.needed(MATERIAL | word, data) {
-                words.push((MATERIAL | word, data));
-            }
-        }
+        self.words(MATERIAL, m.colours()?, &mut words);
         let scale = m.scale(greatest_exponent(order))?;
         let scale_word = MATERIAL | SCALE_WORD as u8;
         let scaled = matches!(order, Order::Duff | Order::Bump(_));
@@ -144,14 +140,6 @@ impl Writer<'_> {
         Ok(())
     }
 
-    pub(super) fn quadric(&mut self, mask: u8, words: [u64; 10], writes: &mut Vec<(u8, u64)>) {
-        for (word, data) in (0u8..).zip(words) {
-            if self.needed(mask | word, data) {
-                writes.push((mask | word, data));
-            }
-        }
-    }
-
     /// Words of a triangle of the quadratic-dots core.
     pub(super) fn dots(
         &mut self,
@@ -169,7 +157,7 @@ impl Writer<'_> {
             quadric_words(frame, knots, fraction, 1 + int as u32 + fraction, half)
         };
         let light = six(t, "N·L", 0, |c| c)?;
-        self.quadric(
+        self.words(
             LIGHT,
             words(light, LIGHT_INTEGER_BITS, LIGHT_FRACTION_BITS),
             writes,
@@ -177,7 +165,7 @@ impl Writer<'_> {
         if m.shines() {
             let scale = f64::from(1u32 << m.scale(MAX_EXPONENT)?);
             let lobe = six(t, "N·H", 1, |c| (1.0 - c) * scale)?;
-            self.quadric(
+            self.words(
                 LOBE,
                 words(lobe, PLACE_INTEGER_BITS, PLACE_FRACTION_BITS),
                 writes,

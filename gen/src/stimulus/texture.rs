@@ -199,19 +199,11 @@ impl Writer<'_> {
         self.colours(&colours, writes);
         let address = address_words(core, texturing, frame, covering)?;
         for (mask, words) in [select::U, select::V].into_iter().zip(&address.uv) {
-            self.words(mask, words, writes);
+            self.words(mask, words.iter().copied(), writes);
         }
         if let Some(w) = address.w {
-            self.words(select::W, &w, writes);
+            self.words(select::W, w, writes);
         }
         Ok(())
-    }
-
-    fn words(&mut self, mask: u8, words: &[u64], writes: &mut Vec<(u8, u64)>) {
-        for (word, data) in (0u8..).zip(words) {
-            if self.needed(mask | word, *data) {
-                writes.push((mask | word, *data));
-            }
-        }
     }
 }
