@@ -9,7 +9,7 @@ use shadegate_gen::stimulus::{build, StimulusOptions, Triangle};
 use shadegate_gen::vectors::Trace;
 use shadegate_hdl::shade::device::{longest_run, Core};
 use shadegate_hdl::shade::model::Order;
-use shadegate_reference::raster::{Point, Viewport};
+use shadegate_reference::raster::Viewport;
 
 /// The colour of a pixel, not rounded: by three corners, or by six knots.
 fn definition(t: &Triangle, x: u16, y: u16) -> [f64; 3] {
@@ -43,10 +43,7 @@ fn definition(t: &Triangle, x: u16, y: u16) -> [f64; 3] {
 
 /// A triangle by genes: corners, colours.
 fn grown(genes: &[f64], knots: usize, size: (u32, u32), i: usize) -> Triangle {
-    let corner = |k: usize| Point {
-        x: ((genes[2 * k] * 1.6 - 0.3) * f64::from(256 * size.0)) as i32,
-        y: ((genes[2 * k + 1] * 1.6 - 0.3) * f64::from(256 * size.1)) as i32,
-    };
+    let corner = |k: usize| hunt::corner(&genes[2 * k..], 0.3, size);
     let knot = |k: usize| std::array::from_fn(|c| 255.0 * genes[6 + 3 * k + c]);
     Triangle {
         position: [0, 1, 2].map(corner),
@@ -76,15 +73,9 @@ fn found(core: Core, size: (u32, u32), generations: usize, population: usize) ->
         let triangles: Vec<_> = crowd.map(|(i, g)| grown(g, knots, size, i)).collect();
         let stimulus = build(&core, &triangles, view, &StimulusOptions::default());
         let trace = Trace::record(core, &stimulus.expect("in range"), |_| true);
-        let mut worst = vec![0.0f64; triangles.len()];
-        for p in &trace.pixels {
-            let want = definition(&triangles[p.triangle], p.x, p.y);
-            for (got, want) in p.rgb.into_iter().zip(want) {
-                let error = (f64::from(got) - want).abs() - 0.5;
-                worst[p.triangle] = worst[p.triangle].max(error);
-            }
-        }
-        worst
+        hunt::errors(triangles.len(), &trace.pixels, |p| {
+            definition(&triangles[p.triangle], p.x, p.y)
+        })
     })
 }
 

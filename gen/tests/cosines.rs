@@ -94,14 +94,9 @@ fn errors(size: (u32, u32), triangles: &[Triangle]) -> (Vec<f64>, f64, usize) {
     let view = Viewport { width, height };
     let stimulus = build(&core, triangles, view, &StimulusOptions::default()).expect("in range");
     let trace = Trace::record(core, &stimulus, |_| true);
-    let mut worst = vec![0.0f64; triangles.len()];
-    for p in &trace.pixels {
-        let want = oracle(&triangles[p.triangle], p.x, p.y);
-        for (got, want) in p.rgb.into_iter().zip(want) {
-            let error = (f64::from(got) - want).abs() - 0.5;
-            worst[p.triangle] = worst[p.triangle].max(error);
-        }
-    }
+    let worst = hunt::errors(triangles.len(), &trace.pixels, |p| {
+        oracle(&triangles[p.triangle], p.x, p.y)
+    });
     let bound = core.error_bound(longest_run(width, height).expect("in range"));
     (worst, bound, trace.pixels.len())
 }
@@ -152,10 +147,7 @@ fn every_pixel_is_within_the_bound_on_large_triangles() {
 
 /// A triangle by genes: where its corners are, its cosines, its colours and its exponent.
 fn grown(genes: &[f64], size: (u32, u32), i: usize) -> Triangle {
-    let corner = |k: usize| Point {
-        x: ((genes[2 * k] * 1.4 - 0.2) * f64::from(256 * size.0)) as i32,
-        y: ((genes[2 * k + 1] * 1.4 - 0.2) * f64::from(256 * size.1)) as i32,
-    };
+    let corner = |k: usize| hunt::corner(&genes[2 * k..], 0.2, size);
     let cosine = |k: usize| [1.2 - 2.0 * genes[6 + k], 1.2 - 1.5 * genes[12 + k], 0.0];
     let colour = |k: usize| std::array::from_fn(|c| (255.0 * genes[k + c]).round());
     let exponent = 1.0 + 127.0 * genes[18] * genes[18];

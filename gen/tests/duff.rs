@@ -143,14 +143,9 @@ fn errors(size: (u32, u32), cases: &[Case], off: f64) -> (Vec<f64>, f64, usize) 
     }
     let stimulus = build(&core, &triangles, view, &StimulusOptions::default()).expect("in range");
     let trace = Trace::record(core, &stimulus, |_| true);
-    let mut worst = vec![0.0f64; cases.len()];
-    for p in &trace.pixels {
-        let want = cases[p.triangle].oracle(p.x, p.y);
-        for (got, want) in p.rgb.into_iter().zip(want) {
-            let error = (f64::from(got) - want).abs() - 0.5;
-            worst[p.triangle] = worst[p.triangle].max(error);
-        }
-    }
+    let worst = hunt::errors(cases.len(), &trace.pixels, |p| {
+        cases[p.triangle].oracle(p.x, p.y)
+    });
     let bound = core.error_bound(longest_run(width, height).expect("in range"));
     (worst, bound, trace.pixels.len())
 }
@@ -163,10 +158,7 @@ fn worst(size: (u32, u32), cases: &[Case], off: f64) -> (f64, f64, usize) {
 
 /// A triangle by genes: corners, normals, weights, light and half-way vector, exponent.
 fn grown(genes: &[f64], size: (u32, u32), i: usize) -> Case {
-    let corner = |k: usize| Point {
-        x: ((genes[2 * k] * 1.4 - 0.2) * f64::from(256 * size.0)) as i32,
-        y: ((genes[2 * k + 1] * 1.4 - 0.2) * f64::from(256 * size.1)) as i32,
-    };
+    let corner = |k: usize| hunt::corner(&genes[2 * k..], 0.2, size);
     // A coordinate of a vector whose third is 1.
     let near = |k: usize, spread: f64| {
         let part = |g: f64| (2.0 * g - 1.0) * spread;

@@ -168,14 +168,9 @@ fn errors(
 ) -> (Vec<f64>, usize) {
     let stimulus = sent(glint, size, sent_ones, true);
     let trace = Trace::record(core(glint, size), &stimulus, |_| true);
-    let mut worst = vec![0.0f64; meant.len()];
-    for p in &trace.pixels {
-        let want = oracle(glint, &meant[p.triangle], p.x, p.y);
-        for (got, want) in p.rgb.into_iter().zip(want) {
-            let error = (f64::from(got) - want).abs() - 0.5;
-            worst[p.triangle] = worst[p.triangle].max(error);
-        }
-    }
+    let worst = hunt::errors(meant.len(), &trace.pixels, |p| {
+        oracle(glint, &meant[p.triangle], p.x, p.y)
+    });
     (worst, trace.pixels.len())
 }
 
@@ -216,10 +211,7 @@ fn every_pixel_is_within_the_bound_on_large_triangles() {
 
 /// A triangle by genes: corners, crests or ramps of the cosines, lobe, cone, colours.
 fn grown(genes: &[f64], size: (u32, u32), i: usize) -> Triangle {
-    let corner = |k: usize| Point {
-        x: ((genes[2 * k] * 1.4 - 0.2) * f64::from(256 * size.0)) as i32,
-        y: ((genes[2 * k + 1] * 1.4 - 0.2) * f64::from(256 * size.1)) as i32,
-    };
+    let corner = |k: usize| hunt::corner(&genes[2 * k..], 0.2, size);
     let (degree, gamma) = (2 + (2.99 * genes[6]) as u8, 127.0 / 128.0 * genes[7]);
     let width = 1.0 / 128.0 + 2.4 * genes[8] * genes[8];
     let crest = |k: usize, width: f64, at: usize| {

@@ -1,6 +1,8 @@
 //! The bump cores on scenes: every engine gives the integer model's frame, every pixel is within one LSB of the method in
 //! f64 and of the renderer's frame, and what they do not draw is refused.
 
+mod support;
+
 use shadegate_gen::stimulus::{build, GradientMap, Lobe, Material, StimulusOptions};
 use shadegate_gen::stimulus::{Relief, Triangle};
 use shadegate_gen::vectors::Trace;
@@ -10,11 +12,12 @@ use shadegate_hdl::shade::model::Order;
 use shadegate_reference::raster::{Point, Viewport};
 use shadegate_reference::{scene, to_byte, Method, Scene};
 use shadegate_testbench::cosim::bump_oracle::cosines;
-use shadegate_testbench::cosim::{cosim, CosimOptions};
+use shadegate_testbench::cosim::cosim;
 use shadegate_testbench::engine::Engine;
 use std::f64::consts::TAU;
 use std::path::Path;
 use std::sync::Arc;
+use support::options;
 
 const FILE: &str = "bump-core.toml";
 
@@ -34,18 +37,6 @@ fn changed(pairs: &[(&str, &str)]) -> Scene {
     let path = folder.path().join(FILE);
     std::fs::write(&path, text).unwrap();
     scene::load(&path).unwrap_or_else(|e| panic!("{e}"))
-}
-
-fn options(method: Method, engine: Engine, size: Option<(u32, u32)>) -> CosimOptions {
-    CosimOptions {
-        method,
-        engine,
-        size,
-        wave: None,
-        output: None,
-        stimulus: Default::default(),
-        command: "test".into(),
-    }
 }
 
 fn run(scene: &Scene, core: &str, engine: Engine, size: Option<(u32, u32)>) -> f64 {

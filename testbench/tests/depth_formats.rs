@@ -1,18 +1,13 @@
 //! Depth words linear in 1/z or in z: the core draws either, bit by bit; what is exact where.
 
+mod support;
+
 use shadegate_gen::scene::DepthFormat;
 use shadegate_gen::stimulus::StimulusOptions;
-use shadegate_reference::{scene, Method, Scene};
+use shadegate_reference::{Method, Scene};
 use shadegate_testbench::cosim::{cosim, prelude, CosimOptions, CosimReport, Prelude};
 use shadegate_testbench::engine::Engine;
-use std::path::Path;
-
-fn load(name: &str) -> Scene {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../scenes")
-        .join(name);
-    scene::load(&path).unwrap_or_else(|e| panic!("{e}"))
-}
+use support::load;
 
 const SIZE: Option<(u32, u32)> = Some((96, 72));
 

@@ -1,34 +1,18 @@
 //! The issue of it all: real scenes through the cores. Every engine gives the integer model's frame, one pixel per clock
 //! where the triangles are large enough, and at most one LSB of arithmetic error on every pixel.
 
-use shadegate_reference::{scene, Method, Scene};
+mod support;
+
+use shadegate_reference::{Method, Scene};
 use shadegate_testbench::cosim::{cosim, CosimOptions, CosimReport};
 use shadegate_testbench::engine::Engine;
-use std::path::{Path, PathBuf};
-
-fn load(name: &str) -> Scene {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../scenes")
-        .join(name);
-    scene::load(&path).unwrap_or_else(|e| panic!("{e}"))
-}
-
-fn options(method: Method, engine: Engine) -> CosimOptions {
-    CosimOptions {
-        method,
-        engine,
-        size: None,
-        wave: None,
-        output: None,
-        stimulus: Default::default(),
-        command: "test".into(),
-    }
-}
+use std::path::PathBuf;
+use support::{load, options};
 
 fn run(scene: &Scene, method: Method, engine: Engine, output: Option<PathBuf>) -> CosimReport {
     let o = CosimOptions {
         output,
-        ..options(method, engine)
+        ..options(method, engine, None)
     };
     cosim(scene, &o).unwrap_or_else(|e| panic!("{} {method} {engine}: {e}", scene.name))
 }
@@ -120,7 +104,7 @@ fn a_large_frame_takes_the_wide_formats() {
         let large = |engine| {
             let o = CosimOptions {
                 size: Some((640, 480)),
-                ..options(method, engine)
+                ..options(method, engine, None)
             };
             cosim(&scene, &o).unwrap_or_else(|e| panic!("{e}"))
         };
@@ -147,7 +131,7 @@ fn the_largest_frames_stay_in_the_core_s_coordinates() {
     for size in [(2040, 40), (1500, 1024), (60, 1024)] {
         let o = CosimOptions {
             size: Some(size),
-            ..options(Method::Gouraud, Engine::RustHdl)
+            ..options(Method::Gouraud, Engine::RustHdl, None)
         };
         let r = cosim(&scene, &o).unwrap_or_else(|e| panic!("{size:?}: {e}"));
         assert_eq!(r.mismatches, 0, "{size:?}: {:?}", r.first_mismatch);
@@ -178,7 +162,7 @@ fn what_the_host_leaves_out_changes_no_pixel() {
                 broadcast,
                 ..Default::default()
             },
-            ..options(Method::Quadratic, Engine::RustHdl)
+            ..options(Method::Quadratic, Engine::RustHdl, None)
         };
         let r = cosim(&scene, &o).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(r.mismatches, 0);

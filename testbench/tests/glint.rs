@@ -1,33 +1,17 @@
 //! The quadratic-dots cores without tables on scenes: every engine gives the integer model's frame, every pixel is within
 //! one LSB of the same functions in f64, and scenes choose their core by their lights and materials.
 
+mod support;
+
 use shadegate_reference::scene::{Highlight, LightKind};
 use shadegate_reference::{scene, Method, Scene};
 use shadegate_testbench::cosim::{cosim, CosimOptions, CosimReport};
 use shadegate_testbench::engine::Engine;
-use std::path::Path;
-
-fn load(name: &str) -> Scene {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../scenes")
-        .join(name);
-    scene::load(&path).unwrap_or_else(|e| panic!("{e}"))
-}
-
-fn options(engine: Engine, size: Option<(u32, u32)>) -> CosimOptions {
-    CosimOptions {
-        method: Method::QuadraticDots,
-        engine,
-        size,
-        wave: None,
-        output: None,
-        stimulus: Default::default(),
-        command: "test".into(),
-    }
-}
+use support::{load, options};
 
 fn run(scene: &Scene, engine: Engine, size: Option<(u32, u32)>) -> CosimReport {
-    let r = cosim(scene, &options(engine, size)).unwrap_or_else(|e| panic!("{engine}: {e}"));
+    let r = cosim(scene, &options(Method::QuadraticDots, engine, size))
+        .unwrap_or_else(|e| panic!("{engine}: {e}"));
     assert_eq!(r.mismatches, 0, "{engine}: {:?}", r.first_mismatch);
     assert!(r.holds() && r.method_f64.max_lsb <= 1, "{:?}", r.method_f64);
     assert!(r.error_bound_lsb < 0.25, "{}", r.error_bound_lsb);
@@ -72,7 +56,7 @@ fn set_ups_of_taylor_and_x_shading() {
     for method in [Method::Taylor, Method::XShading] {
         let o = CosimOptions {
             method,
-            ..options(Engine::Compiled, None)
+            ..options(Method::QuadraticDots, Engine::Compiled, None)
         };
         let r = cosim(&scene, &o).expect("drawn");
         assert!(r.holds(), "{method}: {:?}", r.arithmetic);
@@ -83,7 +67,11 @@ fn set_ups_of_taylor_and_x_shading() {
 #[test]
 fn scenes_that_they_do_not_draw_are_refused() {
     let refused = |scene: &Scene| {
-        let error = cosim(scene, &options(Engine::Compiled, None)).expect_err("refused");
+        let error = cosim(
+            scene,
+            &options(Method::QuadraticDots, Engine::Compiled, None),
+        )
+        .expect_err("refused");
         let text = error.to_string();
         text.split_once(".toml: ")
             .expect("names the file")

@@ -1,33 +1,16 @@
 //! Wireframes through the line cores: every engine gives the integer model's frame, the frame is the software renderer's,
 //! and what no core draws is refused.
 
+mod support;
+
 use shadegate_reference::line::LineFilter;
-use shadegate_reference::{scene, Method, Scene};
-use shadegate_testbench::cosim::{cosim, CosimError, CosimOptions, CosimReport};
+use shadegate_reference::{Method, Scene};
+use shadegate_testbench::cosim::{cosim, CosimError, CosimReport};
 use shadegate_testbench::engine::Engine;
-use std::path::Path;
-
-fn load(name: &str) -> Scene {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../scenes")
-        .join(name);
-    scene::load(&path).unwrap_or_else(|e| panic!("{e}"))
-}
-
-fn options(engine: Engine, size: Option<(u32, u32)>) -> CosimOptions {
-    CosimOptions {
-        method: Method::Quadratic,
-        engine,
-        size,
-        wave: None,
-        output: None,
-        stimulus: Default::default(),
-        command: "test".into(),
-    }
-}
+use support::{load, options};
 
 fn run(scene: &Scene, engine: Engine, size: Option<(u32, u32)>) -> CosimReport {
-    let r = cosim(scene, &options(engine, size))
+    let r = cosim(scene, &options(Method::Quadratic, engine, size))
         .unwrap_or_else(|e| panic!("{} {engine}: {e}", scene.name));
     let (name, line) = (&scene.name, scene.render.line);
     println!(
@@ -90,8 +73,11 @@ fn a_large_frame_takes_the_wide_addresses() {
 
 #[test]
 fn wires_over_faces_are_refused() {
-    let e =
-        cosim(&load("depth-cue.toml"), &options(Engine::Compiled, None)).expect_err("a mixture");
+    let e = cosim(
+        &load("depth-cue.toml"),
+        &options(Method::Quadratic, Engine::Compiled, None),
+    )
+    .expect_err("a mixture");
     assert!(
         matches!(
             e,

@@ -1,16 +1,13 @@
 //! Cores that take several register words per clock, in every engine: the frame is that of one word per clock, and all
 //! outputs are the integer model's in every clock.
 
+mod support;
+
 use shadegate_gen::stimulus::StimulusOptions;
-use shadegate_reference::{scene, Method, Scene};
+use shadegate_reference::{Method, Scene};
 use shadegate_testbench::cosim::{cosim, CosimOptions, CosimReport};
 use shadegate_testbench::engine::Engine;
-use std::path::Path;
-
-fn load(name: &str) -> Scene {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
-    scene::load(&folder.join(name)).unwrap_or_else(|e| panic!("{e}"))
-}
+use support::load;
 
 fn run(scene: &Scene, method: Method, engine: Engine, words: usize) -> CosimReport {
     let options = CosimOptions {

@@ -23,6 +23,7 @@ use shadegate_hdl::interpolate::quadratic_1::Quadratic1;
 use shadegate_hdl::interpolate::quadratic_2::Quadratic2;
 use shadegate_hdl::line::walk::LineWalk;
 use shadegate_hdl::raster::edge_walk::EdgeWalk;
+use std::path::Path;
 use std::process::Command;
 
 /// Words of three bits, one of them behind the point.
@@ -101,19 +102,21 @@ fn proved<B: Block>(mut design: B, pair: &Pair) -> Result<(), String> {
         "read_verilog golden.v\nread_verilog pair.v\nhierarchy -check -top pair\nproc\nsetattr -set keep 1 w:*\nmemory -nordff\nflatten\n\
          sat -verify -tempinduct -maxsteps 3 -set-init-zero{prove} pair\n"
     );
-    write("prove.ys", &script).expect("writable");
+    yosys(folder.path(), &script).map_err(|said| format!("{name}: {said}\n{both}{script}"))
+}
+
+/// Runs a script of Yosys on the files of a folder; `Err` is what it said if it failed.
+fn yosys(folder: &Path, script: &str) -> Result<(), String> {
+    std::fs::write(folder.join("prove.ys"), script).expect("writable");
     let run = Command::new("yosys")
-        .current_dir(folder.path())
+        .current_dir(folder)
         .args(["-q", "prove.ys"])
         .output()
         .expect("yosys runs");
     match run.status.success() {
         true => Ok(()),
-        false => Err(format!(
-            "{name}: {}{}\n{both}{script}",
-            String::from_utf8_lossy(&run.stdout),
-            String::from_utf8_lossy(&run.stderr)
-        )),
+        false => Err(String::from_utf8_lossy(&run.stdout).into_owned()
+            + &String::from_utf8_lossy(&run.stderr)),
     }
 }
 
@@ -332,17 +335,7 @@ fn depth_test_holds(clocks: usize, first: &str, mistake: Option<Mistake>) -> Res
          sat -verify -tempinduct -tempinduct-baseonly -maxsteps {clocks} -set-init-zero {first} \
          -prove unit_pass golden_pass -prove unit_waiting golden_waiting -prove unit_depth golden_depth pair\n"
     );
-    std::fs::write(folder.path().join("prove.ys"), script).expect("writable");
-    let run = Command::new("yosys")
-        .current_dir(folder.path())
-        .args(["-q", "prove.ys"])
-        .output()
-        .expect("yosys runs");
-    match run.status.success() {
-        true => Ok(()),
-        false => Err(String::from_utf8_lossy(&run.stdout).into_owned()
-            + &String::from_utf8_lossy(&run.stderr)),
-    }
+    yosys(folder.path(), &script)
 }
 
 /// Twelve clocks hold two clears and drawing before, between and after them.

@@ -1,28 +1,15 @@
 //! The quadratic-dots core on scenes: every engine gives the integer model's frame, and every pixel is within one LSB of
 //! the method in f64; taylor and x-shading are the same core with other words.
 
-use shadegate_reference::{scene, Method, Scene};
+mod support;
+
+use shadegate_reference::{Method, Scene};
 use shadegate_testbench::cosim::{cosim, CosimOptions, CosimReport};
 use shadegate_testbench::engine::Engine;
-use std::path::Path;
-
-fn load(name: &str) -> Scene {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../scenes")
-        .join(name);
-    scene::load(&path).unwrap_or_else(|e| panic!("{e}"))
-}
+use support::load;
 
 fn run(scene: &Scene, method: Method, engine: Engine, size: Option<(u32, u32)>) -> CosimReport {
-    let options = CosimOptions {
-        method,
-        engine,
-        size,
-        wave: None,
-        output: None,
-        stimulus: Default::default(),
-        command: "test".into(),
-    };
+    let options = support::options(method, engine, size);
     let r =
         cosim(scene, &options).unwrap_or_else(|e| panic!("{} {method} {engine}: {e}", scene.name));
     assert_eq!(

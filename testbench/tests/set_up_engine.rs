@@ -1,20 +1,15 @@
 //! Scenes through the core that sets triangles up itself: every engine gives the integer model's frame, which covers the
 //! same pixels as the one that the host sets up, with at most one LSB of arithmetic error on every pixel.
 
+mod support;
+
 use shadegate_gen::scene::SetUp;
 use shadegate_gen::stimulus::StimulusOptions;
-use shadegate_reference::{scene, Method, Scene};
-use shadegate_testbench::cosim::{cosim_by, prelude_by, CosimError, CosimOptions, CosimReport};
+use shadegate_reference::{Method, Scene};
+use shadegate_testbench::cosim::{cosim_by, prelude_by, CosimError, CosimReport};
 use shadegate_testbench::engine::Engine;
 use std::collections::BTreeSet;
-use std::path::Path;
-
-fn load(name: &str) -> Scene {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../scenes")
-        .join(name);
-    scene::load(&path).unwrap_or_else(|e| panic!("{e}"))
-}
+use support::load;
 
 fn run(
     scene: &Scene,
@@ -22,15 +17,7 @@ fn run(
     engine: Engine,
     size: Option<(u32, u32)>,
 ) -> Result<CosimReport, CosimError> {
-    let o = CosimOptions {
-        method,
-        engine,
-        size,
-        wave: None,
-        output: None,
-        stimulus: StimulusOptions::default(),
-        command: "test".into(),
-    };
+    let o = support::options(method, engine, size);
     cosim_by(scene, &o, SetUp::Engine)
 }
 

@@ -1,10 +1,12 @@
 //! Real scenes through the span cores: every engine gives the integer model's frame, and every pixel is within one LSB
 //! of its method in f64 (for tables: of a word that the method may have there).
 
-use shadegate_reference::{scene, Method, Scene};
-use shadegate_testbench::cosim::{cosim, CosimOptions, CosimReport};
+mod support;
+
+use shadegate_reference::{Method, Scene};
+use shadegate_testbench::cosim::{cosim, CosimReport};
 use shadegate_testbench::engine::Engine;
-use std::path::Path;
+use support::{load, options};
 
 const METHODS: [Method; 9] = [
     Method::Slerp,
@@ -17,25 +19,6 @@ const METHODS: [Method; 9] = [
     Method::BlakeRefit,
     Method::BlakeTrapezium,
 ];
-
-fn load(name: &str) -> Scene {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../scenes")
-        .join(name);
-    scene::load(&path).unwrap_or_else(|e| panic!("{e}"))
-}
-
-fn options(method: Method, engine: Engine, size: Option<(u32, u32)>) -> CosimOptions {
-    CosimOptions {
-        method,
-        engine,
-        size,
-        wave: None,
-        output: None,
-        stimulus: Default::default(),
-        command: "test".into(),
-    }
-}
 
 fn run(s: &Scene, method: Method, engine: Engine, size: Option<(u32, u32)>) -> CosimReport {
     let r = cosim(s, &options(method, engine, size))

@@ -1,6 +1,8 @@
 //! The textured cores on scenes: every engine gives the integer model's frame, every pixel is within one LSB of the method
 //! in f64 (nearest texels: or of the texel across a border that the address is at), and what no core draws is refused.
 
+mod support;
+
 use shadegate_gen::scene::texturing;
 use shadegate_gen::stimulus::{build, Covering, Picture, StimulusOptions, Triangle};
 use shadegate_gen::vectors::Trace;
@@ -11,29 +13,10 @@ use shadegate_reference::raster::{Point, Viewport};
 use shadegate_reference::texture::{Filter, Texture, Wrap};
 use shadegate_reference::{scene, to_byte, Method, Scene};
 use shadegate_testbench::cosim::texture_oracle::colour;
-use shadegate_testbench::cosim::{cosim, CosimOptions, CosimReport};
+use shadegate_testbench::cosim::{cosim, CosimReport};
 use shadegate_testbench::engine::Engine;
-use std::path::Path;
 use std::sync::Arc;
-
-fn load(name: &str) -> Scene {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../scenes")
-        .join(name);
-    scene::load(&path).unwrap_or_else(|e| panic!("{e}"))
-}
-
-fn options(method: Method, engine: Engine, size: Option<(u32, u32)>) -> CosimOptions {
-    CosimOptions {
-        method,
-        engine,
-        size,
-        wave: None,
-        output: None,
-        stimulus: Default::default(),
-        command: "test".into(),
-    }
-}
+use support::{load, options};
 
 fn run(scene: &Scene, method: Method, engine: Engine, size: Option<(u32, u32)>) -> CosimReport {
     let r = cosim(scene, &options(method, engine, size))

@@ -1,7 +1,12 @@
 //! An adversary: looks for the input on which something is worst, by selection and mutation of numbers from 0 to 1.
 
+// Every test file takes what it needs.
+#![allow(dead_code)]
+
 use rand::rngs::StdRng;
 use rand::{Rng, SeedableRng};
+use shadegate_gen::vectors::Pixel;
+use shadegate_reference::raster::Point;
 
 /// What it found.
 #[derive(Debug)]
@@ -11,7 +16,6 @@ pub struct Found {
     /// The worst of all.
     pub worst: f64,
     /// Where that was, for messages.
-    #[allow(dead_code)]
     pub genome: Vec<f64>,
 }
 
@@ -47,6 +51,33 @@ pub fn hunt(effort: Effort, seed: u64, mut score: impl FnMut(&[Vec<f64>]) -> Vec
         worst,
         genome,
     }
+}
+
+/// A corner by two genes: in the frame, or up to a part of it `beside` it on any side.
+pub fn corner(genes: &[f64], beside: f64, size: (u32, u32)) -> Point {
+    let at = |gene: f64, side: u32| {
+        ((gene * (1.0 + 2.0 * beside) - beside) * f64::from(256 * side)) as i32
+    };
+    Point {
+        x: at(genes[0], size.0),
+        y: at(genes[1], size.1),
+    }
+}
+
+/// By triangle the largest distance of a channel from the definition, in LSB beyond the rounding to a byte.
+pub fn errors(
+    triangles: usize,
+    pixels: &[Pixel],
+    definition: impl Fn(&Pixel) -> [f64; 3],
+) -> Vec<f64> {
+    let mut worst = vec![0.0f64; triangles];
+    for p in pixels {
+        for (got, want) in p.rgb.into_iter().zip(definition(p)) {
+            let error = (f64::from(got) - want).abs() - 0.5;
+            worst[p.triangle] = worst[p.triangle].max(error);
+        }
+    }
+    worst
 }
 
 fn mutant(parent: &[f64], r: &mut StdRng) -> Vec<f64> {
