@@ -3,8 +3,8 @@
 use crate::outcome::Failure;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
+use shadegate_gen::scene::{catalogue, BY_SCENE, CORES, ENGINES, LINES, TEXTURED};
 use shadegate_gen::scene::{method_of, order_for, order_of, DepthFormat, SetUp};
-use shadegate_gen::scene::{BY_SCENE, CORES, ENGINES, LINES, TEXTURED};
 use shadegate_gen::wrapper::Wrapper;
 use shadegate_hdl::shade::device::Core;
 use shadegate_hdl::shade::model::Order;
@@ -50,10 +50,9 @@ pub fn antialiasing() -> Vec<&'static str> {
 
 /// Names of the cores that the host sets up; the method, or the filter of lines, that a core draws has the same name.
 pub fn cores() -> Vec<&'static str> {
-    let triangles = CORES.iter().chain(&BY_SCENE).map(|c| c.0);
-    let lines = LINES.iter().map(|l| l.0);
-    let textured = TEXTURED.iter().map(|t| t.0);
-    triangles.chain(textured).chain(lines).collect()
+    let mut names = all_cores();
+    names.retain(|name| ENGINES.iter().all(|e| e.0 != *name));
+    names
 }
 
 /// Whether the core of this name is a textured one.
@@ -70,9 +69,7 @@ fn by_scene(name: &str) -> Option<Order> {
 
 /// Names of all cores.
 pub fn all_cores() -> Vec<&'static str> {
-    let mut all = cores();
-    all.extend(ENGINES.map(|e| e.0));
-    all
+    catalogue().into_iter().map(|(name, _)| name).collect()
 }
 
 /// Engines of the co-simulation.
