@@ -9,7 +9,7 @@ use crate::table::Table;
 use clap::Args;
 use serde_json::{json, Value};
 use shadegate_reference::animation::Player;
-use shadegate_reference::needs::{Needs, Orders, Range};
+use shadegate_reference::needs::{Needs, Range, Unit};
 use shadegate_reference::{scene, Prepared, Skips};
 use std::path::PathBuf;
 
@@ -28,13 +28,6 @@ pub struct PlanArgs {
     /// Frame size [default: the scene's]
     #[arg(long, value_name = "WxH")]
     size: Option<String>,
-}
-
-/// A unit of a core, whether the scene needs it, and why.
-struct Unit {
-    name: &'static str,
-    needed: bool,
-    because: String,
 }
 
 /// Runs the command.
@@ -59,7 +52,7 @@ pub fn run(a: &PlanArgs, global: Global) -> Outcome {
     }
     drop(progress);
     let needs = all.ok_or_else(|| Failure::input("the scene has no frames"))?;
-    let units = units(&needs, error);
+    let units = needs.units(error);
     let text = match global.quiet {
         true => String::new(),
         false => text(&name, count, &needs, &units),
@@ -70,107 +63,13 @@ pub fn run(a: &PlanArgs, global: Global) -> Outcome {
         "width": needs.width,
         "height": needs.height,
         "max_error": error,
-        "shading": Some(shading(&needs.orders)).filter(|_| needs.triangles > 0),
+        "shading": needs.shading(),
         "needs": needs_json(&needs),
         "units": units.iter().map(|u| json!({
             "unit": u.name, "needed": u.needed, "because": u.because,
         })).collect::<Vec<_>>(),
     });
     Ok(Report::done(text, json))
-}
-
-/// The way of shading that is enough for every triangle.
-fn shading(o: &Orders) -> &'static str {
-    match o {
-        o if o.per_pixel > 0 => "per pixel",
-        o if o.products > 0 => "products",
-        o if o.quadratic > 0 => "quadratic",
-        _ if o.linear > 0 => "linear",
-        _ => "constant",
-    }
-}
-
-fn units(n: &Needs, error: f64) -> Vec<Unit> {
-    let unit = |name, needed, because: String| Unit {
-        name,
-        needed,
-        because,
-    };
-    let o = &n.orders;
-    let shaded = n.triangles > 0;
-    let ways = format!(
-        "within {error} LSB one colour is enough for {}, linear for {}, quadratic for {}, products for {}, and {} want every \
-         pixel",
-        o.constant, o.linear, o.quadratic, o.products, o.per_pixel
-    );
-    let layers = match n.deepest {
-        0 => "no pixel is covered".to_owned(),
-        1 => "no pixel is covered twice".to_owned(),
-        k => format!("up to {k} triangles lie over one another"),
-    };
-    let strength = n.perspective - 1.0;
-    let lit = match (n.lights.point, n.lights.spot) {
-        (0, 0) => format!("{} from infinitely far", n.lights.directional),
-        (p, s) => format!("{p} points and {s} spots"),
-    };
-    vec![
-        unit(
-            "shading",
-            shaded,
-            match shaded {
-                true => format!("{}: {ways}", shading(o)),
-                false => "nothing is shaded".to_owned(),
-            },
-        ),
-        unit("depth test", n.deepest > 1, layers),
-        unit(
-            "highlight",
-            !n.exponents.is_empty(),
-            match n.exponents.as_slice() {
-                [] => "every material that is drawn is matt".to_owned(),
-                list => format!("exponents {}", numbers(list)),
-            },
-        ),
-        unit(
-            "light per pixel",
-            n.lights.point + n.lights.spot > 0,
-            format!("lights: {lit}"),
-        ),
-        unit(
-            "texture",
-            n.textures > 0,
-            format!("{} of {} materials have one", n.textures, n.materials),
-        ),
-        unit(
-            "perspective divider",
-            n.textures > 0 && strength > 0.0,
-            match (n.textures, strength > 0.0) {
-                (0, _) => "nothing is textured".to_owned(),
-                (_, false) => "there is no perspective".to_owned(),
-                _ => format!(
-                    "weights within a triangle differ by up to {:.3} %",
-                    100.0 * strength
-                ),
-            },
-        ),
-        unit(
-            "bump",
-            n.bumps > 0,
-            format!("{} of {} materials have a map", n.bumps, n.materials),
-        ),
-        unit(
-            "lines",
-            n.lines > 0,
-            format!("{} edges are drawn as lines", n.lines),
-        ),
-    ]
-}
-
-fn numbers(list: &[f64]) -> String {
-    list.iter()
-        .map(f64::to_string)
-        .collect::<Vec<_>>()
-        .join(", ")
 }
 
 fn between(r: Range, digits: usize) -> String {

@@ -9,8 +9,10 @@
 mod attributes;
 mod coverage;
 mod range;
+mod units;
 
 pub use range::Range;
+pub use units::Unit;
 
 use crate::geometry::Prepared;
 use crate::scene::LightKind;
